@@ -1,0 +1,202 @@
+#ifndef SPHERECAP_H
+#define SPHERECAP_H
+
+// Generated from src/ffi.rs by cbindgen: `make header`. Do not edit.
+
+#include <stddef.h>
+#include <stdint.h>
+
+// Number of this binary interface. A program built against another number must not be linked with this library: compare
+// with `spherecap_abi_version()`.
+#define SPHERECAP_ABI 1
+
+// How directions are distributed. Passed as `uint32_t`.
+typedef enum spherecap_technique_t {
+    // Uniform in solid angle over the whole cap, also where it is below the horizon: the usual way.
+    SPHERECAP_TECHNIQUE_SOLID_ANGLE = 0,
+    // Uniform in projected solid angle where the sphere's centre is above the horizon, of bounded variation below it
+    // (Peters and Dachsbacher 2019).
+    SPHERECAP_TECHNIQUE_PROJECTED_BOUNDED = 1,
+    // Uniform in projected solid angle in every case. The one to use.
+    SPHERECAP_TECHNIQUE_PROJECTED = 2,
+} spherecap_technique_t;
+
+// Which sides of the surface the projected techniques cover. Passed as `uint32_t`.
+typedef enum spherecap_hemispheres_t {
+    // Directions above the horizon: for opaque surfaces.
+    SPHERECAP_HEMISPHERES_FRONT = 0,
+    // Both sides, each in proportion to |cosine|: for surfaces that transmit, or whose side is not known.
+    SPHERECAP_HEMISPHERES_BOTH = 1,
+} spherecap_hemispheres_t;
+
+// What every function returns. `spherecap_status_message` says it in words.
+typedef enum spherecap_status_t {
+    // Success.
+    SPHERECAP_STATUS_OK = 0,
+    // Valid input, but the sphere is not above the horizon (or looks too small for single precision): no light.
+    SPHERECAP_STATUS_INVISIBLE = 1,
+    // Valid input, but the point is inside or on the sphere: no light.
+    SPHERECAP_STATUS_INSIDE = 2,
+    // A pointer is NULL.
+    SPHERECAP_STATUS_NULL_POINTER = 3,
+    // The technique is no `spherecap_technique_t`.
+    SPHERECAP_STATUS_TECHNIQUE = 4,
+    // The hemispheres are no `spherecap_hemispheres_t`.
+    SPHERECAP_STATUS_HEMISPHERES = 5,
+    // The defensive fraction is not in [0, 1].
+    SPHERECAP_STATUS_DEFENSIVE = 6,
+    // The normal is neither of unit length (to within 0.001) nor exactly zero.
+    SPHERECAP_STATUS_NORMAL = 7,
+    // The centre is not at a finite distance, or is the shading point.
+    SPHERECAP_STATUS_CENTRE = 8,
+    // The radius is not a positive finite number.
+    SPHERECAP_STATUS_RADIUS = 9,
+    // A random number is not in [0, 1].
+    SPHERECAP_STATUS_RANDOM_NUMBER = 10,
+    // The cap was never prepared, or its memory was overwritten.
+    SPHERECAP_STATUS_CAP = 11,
+    // A direction is not of unit length (to within 0.001), or an offset has a component outside [-1, 1].
+    SPHERECAP_STATUS_DIRECTION = 12,
+} spherecap_status_t;
+
+// A sphere seen from a shading point, prepared for sampling. Plain data for the caller's stack: copy it freely; nothing is
+// to be freed. Only the functions read it.
+typedef struct spherecap_cap_t {
+    // Opaque.
+    uint32_t words[64];
+} spherecap_cap_t;
+
+// A direction in the cap's own frame. Its components keep their relative precision where those of a unit vector drown: in
+// small caps and near the horizon.
+typedef struct spherecap_offset_t {
+    // Component across the direction to the centre, towards the zenith, in [-1, 1].
+    float zenith;
+    // Component sideways, in [-1, 1].
+    float side;
+    // Cosine with the surface normal, in [-1, 1]; negative below the horizon, 0 without a surface.
+    float cosine;
+} spherecap_offset_t;
+
+// A probability density in two measures.
+typedef struct spherecap_density_t {
+    // With respect to solid angle, per steradian.
+    float solid_angle;
+    // With respect to projected solid angle: the same divided by |cosine|, but never infinite.
+    float projected_solid_angle;
+} spherecap_density_t;
+
+// A sampled direction and where it meets the sphere.
+typedef struct spherecap_sample_t {
+    // The direction in the cap's frame, at full precision.
+    struct spherecap_offset_t offset;
+    // Unit direction from the shading point.
+    float direction[3];
+    // Distance to the sphere's surface along the direction, in the caller's unit of length.
+    float distance;
+    // Unit outward normal of the sphere there: centre + radius * normal is the point itself.
+    float normal[3];
+    // Density of the direction: the very bits that `spherecap_pdf` gives for the offset.
+    struct spherecap_density_t density;
+} spherecap_sample_t;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// Number of the binary interface of the linked library.
+uint32_t spherecap_abi_version(void);
+
+// Version of the linked library, such as "0.1.0".
+const char *spherecap_version(void);
+
+// What a status means and what to do about it, in English words. Never NULL; not to be freed. A number that is no status
+// gets words that say so.
+const char *spherecap_status_message(uint32_t status);
+
+// Prepares a cap for sampling.
+//
+// `technique` is a `spherecap_technique_t` and `hemispheres` a `spherecap_hemispheres_t`. `defensive`, in [0, 1], is the
+// probability of sampling by solid angle over the whole cap instead; 0 unless the integrand is no multiple of the cosine
+// with `normal`, as with shading normals. `normal` (three floats) is the unit normal of the surface on the side to be
+// lit: used as it stands if its length is 1 to single precision, brought to unit length if it is to within 0.001; or
+// exactly (0, 0, 0) for a point on no surface, as in a medium: then sampling is by solid angle. `centre` (three floats)
+// is the sphere's centre minus the shading point, `radius` > 0 its radius, both in any one unit of length.
+//
+// Errors: NULL_POINTER, TECHNIQUE, HEMISPHERES, DEFENSIVE, NORMAL, CENTRE, RADIUS; and INVISIBLE and INSIDE for valid
+// input with nothing to sample. Then `*cap`, unless NULL, remembers the status, and every function on it returns
+// that and stores zeros.
+uint32_t spherecap_prepare(uint32_t technique,
+                           uint32_t hemispheres,
+                           float defensive,
+                           const float *normal,
+                           const float *centre,
+                           float radius,
+                           struct spherecap_cap_t *cap);
+
+// Samples a direction towards the sphere with two random numbers in [0, 1], both ends allowed.
+//
+// Stores the sample, or zeros (so a density of 0) on failure. Errors: NULL_POINTER, RANDOM_NUMBER, CAP, and what
+// `spherecap_prepare` returned for the cap.
+uint32_t spherecap_sample(const struct spherecap_cap_t *cap,
+                          float u0,
+                          float u1,
+                          struct spherecap_sample_t *sample);
+
+// Density of the direction with this offset; zero outside the cap and where nothing is sampled. For an offset from
+// `spherecap_sample`: the very bits that it stored.
+//
+// Errors: NULL_POINTER, DIRECTION, CAP, and what `spherecap_prepare` returned for the cap; then zeros are stored.
+uint32_t spherecap_pdf(const struct spherecap_cap_t *cap,
+                       const struct spherecap_offset_t *offset,
+                       struct spherecap_density_t *density);
+
+// Density of a unit direction (three floats); zero outside the cap. The convenient form: a unit vector in single
+// precision resolves 6e-8, so for a sphere with radius/distance = 1e-6 the cosine at the horizon is off by percents, and
+// the direction itself by tenths of the cap. Where you have the offset, use `spherecap_pdf`.
+//
+// Errors: as `spherecap_pdf`.
+uint32_t spherecap_pdf_direction(const struct spherecap_cap_t *cap,
+                                 const float *direction,
+                                 struct spherecap_density_t *density);
+
+// As `spherecap_pdf_direction`, for a direction that is known to point at the sphere (a ray has hit it): only the horizon is
+// tested, so that rounding near the limb does not lose the density.
+//
+// Errors: as `spherecap_pdf`.
+uint32_t spherecap_pdf_on_sphere(const struct spherecap_cap_t *cap,
+                                 const float *direction,
+                                 struct spherecap_density_t *density);
+
+// The two random numbers (stored at `u`) that give this offset, to rounding; in a defensive mixture those of the
+// projected part. In [0, 1] for every offset.
+//
+// Errors: as `spherecap_pdf`.
+uint32_t spherecap_invert(const struct spherecap_cap_t *cap,
+                          const struct spherecap_offset_t *offset,
+                          float *u);
+
+// Solid angle of the whole cap, the part below the horizon included, in steradians, in (0, 2 pi] (to
+// rounding).
+//
+// Errors: NULL_POINTER, CAP, and what `spherecap_prepare` returned for the cap; then zero is stored.
+uint32_t spherecap_solid_angle(const struct spherecap_cap_t *cap, float *solid_angle);
+
+// Projected solid angle of the cap above the horizon, in steradians, in [0, pi] (to rounding): the
+// irradiance of an unoccluded sphere of radiance 1.
+//
+// Errors: as `spherecap_solid_angle`.
+uint32_t spherecap_projected_solid_angle(const struct spherecap_cap_t *cap, float *projected_solid_angle);
+
+// An upper bound, at least 1, for the largest density over the smallest with respect to projected solid angle above the
+// horizon: the factor by which the weights of samples of a diffuse surface can differ. Infinity for `SOLID_ANGLE` where the
+// horizon cuts the cap. Of the technique alone; mixtures are not counted.
+//
+// Errors: as `spherecap_solid_angle`.
+uint32_t spherecap_density_bound(const struct spherecap_cap_t *cap,
+                                 float *bound);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* SPHERECAP_H */

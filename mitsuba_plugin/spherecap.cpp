@@ -1,0 +1,458 @@
+#include <cstring>
+
+#include <mitsuba/core/properties.h>
+#include <mitsuba/core/spectrum.h>
+#include <mitsuba/core/string.h>
+#include <mitsuba/core/util.h>
+#include <mitsuba/core/warp.h>
+#include <mitsuba/render/emitter.h>
+#include <mitsuba/render/medium.h>
+#include <mitsuba/render/scene.h>
+#include <mitsuba/render/shape.h>
+#include <mitsuba/render/texture.h>
+
+#include <spherecap.h>
+
+#include "surfaces.h"
+
+// Mitsuba passes Dr.Jit arrays to plugins by value, and the compiler's flags decide their layout: with wrong
+// ones everything links, loads and renders garbage. The flags come from cmake/FindMitsubaWheel.cmake.
+#if !defined(__SSE4_2__)
+#error "The Mitsuba wheel is built with -march=haswell: without it this plugin would render garbage."
+#endif
+static_assert(sizeof(mitsuba::Vector<float, 3>) == 16 && alignof(mitsuba::Vector<float, 3>) == 16,
+              "The Mitsuba wheel pads 3-vectors to 16 bytes: use its flags.");
+
+NAMESPACE_BEGIN(mitsuba)
+
+/**!
+
+.. _emitter-spherecap:
+
+Sphere light sampled by projected solid angle (:monosp:`spherecap`)
+-------------------------------------------------------------------
+
+.. pluginparameters::
+
+ * - radiance
+   - |spectrum|
+   - Specifies the emitted radiance in units of power per unit area per unit steradian. It must not vary over
+     the sphere. (Default: 1)
+   - |exposed|, |differentiable|
+
+ * - technique
+   - |string|
+   - How directions towards the light are chosen. (Default: :monosp:`projected`)
+
+     - :monosp:`projected`: uniformly over the projected solid angle of the visible part of the sphere that
+lies above the surface. Without occlusion a diffuse surface then has no noise.
+     - :monosp:`projected_bounded`: the same where the centre of the sphere is above the surface; where it is
+       below, a close approximation of it (a warp, with its exact density).
+     - :monosp:`solid_angle`: uniformly over the solid angle of the whole visible part, as the
+       :ref:`area <emitter-area>` emitter does.
+
+ * - hemispheres
+   - |string|
+   - Which sides of an illuminated surface receive light from this emitter's samples.
+     (Default: :monosp:`auto`)
+
+     - :monosp:`auto`: :monosp:`front`, unless a BSDF of the scene reflects on its back side or transmits
+       diffusely or glossily. Until the emitter is part of a scene: :monosp:`both`.
+     - :monosp:`front`: only the side of the geometric normal.
+     - :monosp:`both`: both sides, each uniformly over its projected solid angle.
+
+ * - defensive
+   - |float|
+   - Probability, in :math:`[0, 1]`, of sampling the whole visible part by solid angle instead. It bounds the
+     noise where the shading normal differs from the geometric one, which an emitter is not told. (Default:
+     0 if no mesh of the scene has interpolated normals and no BSDF perturbs them, else 1/8. Until the
+emitter is part of a scene: 1/8)
+
+This plugin is a drop-in replacement for the :ref:`area <emitter-area>` emitter on a :ref:`sphere
+<shape-sphere>`. It emits the same light, and renders converge to the same image; only the samples are chosen
+better, most visibly on diffuse surfaces and near large lights. Like :monosp:`area` it emits diffusely,
+outwards only.
+
+.. tabs::
+    .. code-tab:: xml
+        :name: spherecap-light
+
+        <shape type="sphere">
+            <emitter type="spherecap">
+                <rgb name="radiance" value="1.0"/>
+            </emitter>
+        </shape>
+
+    .. code-tab:: python
+
+        'type': 'sphere',
+        'emitter': {
+            'type': 'spherecap',
+            'radiance': {
+                'type': 'rgb',
+                'value': 1.0,
+            }
+        }
+
+.. note::
+    - The sphere must be scaled uniformly, and its normals must point outwards. It may be moved and scaled
+later through :monosp:`mi.traverse`.
+    - Vertices in participating media have no surface, and use :monosp:`solid_angle`.
+    - The automatic choices look at the BSDFs and shapes that the scene has when it is created. Replacing them
+      later, or writing a BSDF in Python that changes the normal, calls for explicit parameters.
+    - Runs in the :monosp:`scalar_*` variants.
+
+ */
+
+/// What this file was compiled for; the Python package reads it from the finished plugin.
+static constexpr char BuiltFor[] = "spherecap plugin for Mitsuba " MITSUBA_WHEEL_VERSION;
+
+/// Throws unless the running Mitsuba, and the linked library, are the ones that this file was compiled for,
+/// and the variant is supported. Called before the base class is constructed: another Mitsuba has another
+/// layout of it.
+template <typename Float, typename Spectrum>
+const Properties &supported(const Properties &props) {
+    const std::string running = util::info_build(1); // "Mitsuba version 3.9.1 (master[..."
+    if (running.find(" " MITSUBA_WHEEL_VERSION " ") == std::string::npos)
+        throw std::runtime_error(
+            "This is a " + std::string(BuiltFor) + ", but the running one is \"" + running +
+            "\": install mitsuba==" MITSUBA_WHEEL_VERSION ", or build the plugin again.");
+    if (spherecap_abi_version() != SPHERECAP_ABI)
+        throw std::runtime_error("The spherecap plugin was compiled with a header of ABI " +
+                                 std::to_string(SPHERECAP_ABI) + " and linked with a library of ABI " +
+                                 std::to_string(spherecap_abi_version()) + ": build both again.");
+    if constexpr (dr::is_jit_v<Float>)
+        throw std::runtime_error(
+            "The spherecap emitter runs in the scalar variants of Mitsuba, not yet in \"" +
+            std::string(detail::variant<Float, Spectrum>::name) +
+            "\": use mi.set_variant('scalar_rgb'), or the \"area\" emitter.");
+    return props;
+}
+
+/// A C enumeration under the names that a scene uses for it.
+struct Choice {
+    const char *name;
+    uint32_t value;
+};
+
+template <size_t N>
+static const Choice &choose(const Properties &props, const char *parameter, const Choice (&choices)[N]) {
+    const std::string name = props.get<std::string>(parameter, choices[0].name);
+    std::string list;
+    for (const Choice &choice : choices) {
+        if (name == choice.name)
+            return choice;
+        list += std::string(list.empty() ? "\"" : ", \"") + choice.name + "\"";
+    }
+    Throw("The %s \"%s\" of a spherecap emitter is unknown: use one of %s.", parameter, name, list);
+}
+
+// The first of each list is the default.
+static constexpr Choice Techniques[] = {
+    {"projected", SPHERECAP_TECHNIQUE_PROJECTED},
+    {"projected_bounded", SPHERECAP_TECHNIQUE_PROJECTED_BOUNDED},
+    {"solid_angle", SPHERECAP_TECHNIQUE_SOLID_ANGLE},
+};
+static constexpr uint32_t HemispheresAuto = uint32_t(-1);
+static constexpr Choice Hemispheres[] = {
+    {"auto", HemispheresAuto},
+    {"front", SPHERECAP_HEMISPHERES_FRONT},
+    {"both", SPHERECAP_HEMISPHERES_BOTH},
+};
+/// The defensive fraction of scenes with shading normals.
+static constexpr float DefensiveFraction = 0.125f;
+
+/// Finds the transformation of a shape, which has no accessor, among its parameters.
+template <typename Transform>
+class FindToWorld final : public TraversalCallback {
+public:
+    static const Transform *in(Object *shape) {
+        FindToWorld visitor;
+        shape->traverse(&visitor);
+        return visitor.m_to_world;
+    }
+
+private:
+    void put_value(std::string_view name, void *value, uint32_t, const std::type_info &type) override {
+        if (name == "to_world" && type == typeid(Transform))
+            m_to_world = static_cast<const Transform *>(value);
+    }
+    void put_object(std::string_view, Object *, uint32_t) override {}
+
+    const Transform *m_to_world = nullptr;
+};
+
+template <typename Float, typename Spectrum>
+class SphereCap final : public Emitter<Float, Spectrum> {
+public:
+    MI_IMPORT_BASE(Emitter, m_flags, m_shape, m_medium)
+    MI_IMPORT_TYPES(Scene, Shape, Texture)
+
+    SphereCap(const Properties &props) : Base(supported<Float, Spectrum>(props)) {
+        if (props.has_property("to_world"))
+            Throw(
+                "A spherecap emitter takes no \"to_world\": it follows its sphere, so transform the sphere.");
+
+        m_radiance = props.get_emissive_texture<Texture>("radiance", 1.f);
+        if (m_radiance->is_spatially_varying())
+            Throw(
+                "The radiance of a spherecap emitter must not vary over the sphere: use the \"area\" emitter "
+                "for textured lights.");
+
+        m_technique = choose(props, "technique", Techniques);
+        m_hemispheres = choose(props, "hemispheres", Hemispheres);
+        m_defensive_auto = !props.has_property("defensive");
+        m_defensive = props.get<ScalarFloat>("defensive", DefensiveFraction);
+        if (!(m_defensive >= 0.f && m_defensive <= 1.f))
+            Throw("The \"defensive\" fraction of a spherecap emitter is a probability in [0, 1], not %s.",
+                  m_defensive);
+
+        m_flags = +EmitterFlags::Surface;
+    }
+
+    void traverse(TraversalCallback *callback) override {
+        Base::traverse(callback);
+        callback->put("radiance", m_radiance, ParamFlags::Differentiable);
+    }
+
+    void parameters_changed(const std::vector<std::string> &keys) override {
+        // A sphere that was moved tells its emitter: "parent".
+        if (m_shape && (keys.empty() || string::contains(keys, "parent")))
+            follow(m_shape);
+        Base::parameters_changed(keys);
+    }
+
+    void set_shape(Shape *shape) override {
+        follow(shape);
+        Base::set_shape(shape);
+    }
+
+    void set_scene(const Scene *scene) override {
+        // An emitter that is part of several scenes must satisfy all of them.
+        m_demands.look_at(scene);
+        m_in_scene = true;
+    }
+
+    Spectrum eval(const SurfaceInteraction3f &si, Mask active) const override {
+        MI_MASKED_FUNCTION(ProfilerPhase::EndpointEvaluate, active);
+        return depolarizer<Spectrum>(m_radiance->eval(si, active)) & (Frame3f::cos_theta(si.wi) > 0.f);
+    }
+
+    std::pair<Ray3f, Spectrum> sample_ray(Float time, Float wavelength_sample, const Point2f &position_sample,
+                                          const Point2f &direction_sample, Mask active) const override {
+        MI_MASKED_FUNCTION(ProfilerPhase::EndpointSampleRay, active);
+
+        auto [ps, area] = sample_position(time, position_sample, active);
+        SurfaceInteraction3f si(ps, dr::zeros<Wavelength>());
+        auto [wavelengths, radiance] = sample_wavelengths(si, wavelength_sample, active);
+        si.time = time;
+        si.wavelengths = wavelengths;
+
+        // Cosine-weighted directions: their density and the cosine leave a factor of pi.
+        Vector3f local = warp::square_to_cosine_hemisphere(direction_sample);
+        Spectrum weight = area * radiance * dr::Pi<ScalarFloat>;
+        return {si.spawn_ray(si.to_world(local)), depolarizer<Spectrum>(weight)};
+    }
+
+    std::pair<DirectionSample3f, Spectrum> sample_direction(const Interaction3f &it, const Point2f &sample,
+                                                            Mask active) const override {
+        MI_MASKED_FUNCTION(ProfilerPhase::EndpointSampleDirection, active);
+        if (!attached())
+            return {dr::zeros<DirectionSample3f>(), 0.f};
+
+        DirectionSample3f ds = sample_cap(it, sample, active);
+        ds.time = it.time;
+        ds.emitter = this;
+        active &= ds.pdf != 0.f;
+
+        SurfaceInteraction3f si(ds, it.wavelengths);
+        UnpolarizedSpectrum weight = m_radiance->eval(si, active) / ds.pdf;
+        return {ds, depolarizer<Spectrum>(weight) & active};
+    }
+
+    Float pdf_direction(const Interaction3f &it, const DirectionSample3f &ds, Mask active) const override {
+        MI_MASKED_FUNCTION(ProfilerPhase::EndpointEvaluate, active);
+        if (!attached())
+            return 0.f;
+        active &= dr::dot(ds.d, ds.n) < 0.f;
+        return dr::select(active, pdf_cap(it, ds.d, active), 0.f);
+    }
+
+    Spectrum eval_direction(const Interaction3f &it, const DirectionSample3f &ds,
+                            Mask active) const override {
+        MI_MASKED_FUNCTION(ProfilerPhase::EndpointEvaluate, active);
+        active &= dr::dot(ds.d, ds.n) < 0.f;
+        SurfaceInteraction3f si(ds, it.wavelengths);
+        UnpolarizedSpectrum radiance = m_radiance->eval(si, active);
+        return dr::select(active, depolarizer<Spectrum>(radiance), 0.f);
+    }
+
+    std::pair<PositionSample3f, Float> sample_position(Float time, const Point2f &sample,
+                                                       Mask active) const override {
+        MI_MASKED_FUNCTION(ProfilerPhase::EndpointSamplePosition, active);
+        if (!attached())
+            return {dr::zeros<PositionSample3f>(), 0.f};
+        PositionSample3f ps = m_shape->sample_position(time, sample, active);
+        return {ps, dr::select(active && ps.pdf > 0.f, dr::rcp(ps.pdf), Float(0.f))};
+    }
+
+    std::pair<Wavelength, Spectrum> sample_wavelengths(const SurfaceInteraction3f &si, Float sample,
+                                                       Mask active) const override {
+        return m_radiance->sample_spectrum(si, math::sample_shifted<Wavelength>(sample), active);
+    }
+
+    ScalarBoundingBox3f bbox() const override { return m_shape->bbox(); }
+
+    std::string to_string() const override {
+        std::ostringstream out;
+        out << "SphereCap[" << std::endl
+            << "  radiance = " << string::indent(m_radiance) << "," << std::endl
+            << "  technique = " << m_technique.name << "," << std::endl
+            << "  hemispheres = " << (hemispheres() == SPHERECAP_HEMISPHERES_BOTH ? "both" : "front")
+            << (m_hemispheres.value == HemispheresAuto ? " (auto)" : "") << "," << std::endl
+            << "  defensive = " << defensive() << (m_defensive_auto ? " (auto)" : "") << "," << std::endl
+            << "  sphere = ";
+        if (m_shape) // which may be gone by now: print what was taken over from it
+            out << "[center = " << m_center << ", radius = " << m_radius << "]";
+        else
+            out << "<no shape attached!>";
+        out << "," << std::endl << "  medium = ";
+        if (m_medium)
+            out << string::indent(m_medium);
+        else
+            out << "<no medium attached!>";
+        out << std::endl << "]";
+        return out.str();
+    }
+
+    MI_DECLARE_CLASS(SphereCap)
+
+private:
+    /// Is there a sphere to sample? Virtual calls of JIT variants may reach an emitter that has none.
+    bool attached() const {
+        if constexpr (!dr::is_jit_v<Float>)
+            Assert(m_shape, "A spherecap emitter can only be sampled once it belongs to a sphere.");
+        return m_shape != nullptr;
+    }
+
+    /// Takes over the centre and the radius of a shape, and refuses what is not a sphere that emits outwards.
+    void follow(Shape *shape) {
+        if (shape->shape_type() != +ShapeType::Sphere)
+            Throw("A spherecap emitter must be attached to a \"sphere\", not to a shape of class %s: use the "
+                  "\"area\" emitter for other shapes.",
+                  shape->class_name());
+        if (shape->has_flipped_normals())
+            Throw("The sphere of a spherecap emitter must not have flipped normals (\"flip_normals\", or a "
+                  "mirroring \"to_world\"): remove the flip, or use the \"area\" emitter.");
+
+        const AffineTransform4f *to_world = FindToWorld<AffineTransform4f>::in(shape);
+        if (!to_world)
+            Throw("The \"sphere\" of this Mitsuba has no parameter \"to_world\".");
+        const Vector3f axes[3] = {*to_world * Vector3f(1.f, 0.f, 0.f), *to_world * Vector3f(0.f, 1.f, 0.f),
+                                  *to_world * Vector3f(0.f, 0.f, 1.f)};
+        const Float radius = dr::norm(axes[0]);
+
+        // Rounding in a product of a few transformations is of order 1e-6; a difference of 1e-4 changes the
+        // light by 2e-4, which no image shows.
+        const Float tolerance = 1e-4f * radius;
+        Mask uniform = radius > 0.f && dr::isfinite(radius);
+        for (size_t i = 0; i < 3; ++i)
+            uniform &= dr::abs(dr::norm(axes[i]) - radius) <= tolerance &&
+                       dr::abs(dr::dot(axes[i], axes[(i + 1) % 3])) <= tolerance * radius;
+        if (!dr::all(uniform))
+            Throw("The sphere of a spherecap emitter must have a positive radius and a uniformly scaled "
+                  "\"to_world\", without shear: use the \"area\" emitter on a mesh for ellipsoids.");
+
+        m_radius = radius;
+        m_center = *to_world * Point3f(0.f);
+        dr::make_opaque(m_radius, m_center);
+    }
+
+    uint32_t hemispheres() const {
+        if (m_hemispheres.value != HemispheresAuto)
+            return m_hemispheres.value;
+        return m_in_scene && !m_demands.both_sides() ? SPHERECAP_HEMISPHERES_FRONT
+                                                     : SPHERECAP_HEMISPHERES_BOTH;
+    }
+
+    ScalarFloat defensive() const {
+        return m_defensive_auto && m_in_scene && !m_demands.shading_normals() ? 0.f : m_defensive;
+    }
+
+    // The two functions below are all that differs between the executions of the library's kernel. JIT
+    // variants are refused by the constructor.
+
+    /// A direction towards the light, with the point that it meets first; a pdf of zero where there is none.
+    DirectionSample3f sample_cap(const Interaction3f &it, const Point2f &sample, Mask active) const {
+        DirectionSample3f ds = dr::zeros<DirectionSample3f>();
+        if constexpr (!dr::is_jit_v<Float>) {
+            // Mitsuba reuses random numbers, after which rounding may leave them slightly outside of [0, 1].
+            const Point2f u = dr::clip(sample, 0.f, 1.f);
+            spherecap_cap_t cap;
+            spherecap_sample_t drawn;
+            if (!active || !prepare(it, cap) ||
+                spherecap_sample(&cap, u.x(), u.y(), &drawn) != SPHERECAP_STATUS_OK)
+                return ds;
+            ds.n = Normal3f(drawn.normal[0], drawn.normal[1], drawn.normal[2]);
+            ds.d = Vector3f(drawn.direction[0], drawn.direction[1], drawn.direction[2]);
+            ds.dist = drawn.distance;
+            // Relative to the sphere, not to the point, so that the rounding does not grow with the distance.
+            ds.p = dr::fmadd(Vector3f(ds.n), m_radius.value(), m_center.value());
+            ds.pdf = drawn.density.solid_angle;
+        } else {
+            DRJIT_MARK_USED(it);
+            DRJIT_MARK_USED(sample);
+            DRJIT_MARK_USED(active);
+        }
+        return ds;
+    }
+
+    /// The density with which `sample_cap` chooses a direction that is known to meet the sphere.
+    Float pdf_cap(const Interaction3f &it, const Vector3f &direction, Mask active) const {
+        if constexpr (!dr::is_jit_v<Float>) {
+            spherecap_cap_t cap;
+            spherecap_density_t density;
+            const float d[3] = {direction.x(), direction.y(), direction.z()};
+            if (!active || !prepare(it, cap) ||
+                spherecap_pdf_on_sphere(&cap, d, &density) != SPHERECAP_STATUS_OK)
+                return 0.f;
+            return density.solid_angle;
+        } else {
+            DRJIT_MARK_USED(it);
+            DRJIT_MARK_USED(direction);
+            DRJIT_MARK_USED(active);
+            return 0.f;
+        }
+    }
+
+    /// The part of the light that a point sees; false if that is none.
+    bool prepare(const Interaction3f &it, spherecap_cap_t &cap) const {
+        if constexpr (!dr::is_jit_v<Float>) {
+            const Vector3f c = m_center.value() - it.p;
+            const float normal[3] = {it.n.x(), it.n.y(), it.n.z()}, center[3] = {c.x(), c.y(), c.z()};
+            return spherecap_prepare(m_technique.value, hemispheres(), defensive(), normal, center,
+                                     m_radius.value(), &cap) == SPHERECAP_STATUS_OK;
+        } else {
+            DRJIT_MARK_USED(it);
+            DRJIT_MARK_USED(cap);
+            return false;
+        }
+    }
+
+    ref<Texture> m_radiance;
+    /// Centre and radius of the sphere in world space
+    field<Point3f> m_center;
+    field<Float> m_radius;
+
+    Choice m_technique, m_hemispheres;
+    ScalarFloat m_defensive;
+    bool m_defensive_auto;
+
+    bool m_in_scene = false;
+    SurfaceDemands<Float, Spectrum> m_demands;
+
+    MI_TRAVERSE_CB(Base, m_radiance, m_center, m_radius)
+};
+
+MI_EXPORT_PLUGIN(SphereCap)
+NAMESPACE_END(mitsuba)

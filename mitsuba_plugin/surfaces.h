@@ -1,0 +1,129 @@
+/* What the surfaces of a scene demand of a light's sampler.
+
+   A light is told the geometric normal of the point that it illuminates, but neither which side of the
+   surface is being shaded nor the shading normal. Both are properties of the scene, so the light looks once,
+   when it is attached to its scene. Later changes of a BSDF or a mesh reach no emitter. */
+
+#pragma once
+
+#include <mitsuba/render/bsdf.h>
+#include <mitsuba/render/scene.h>
+#include <mitsuba/render/shape.h>
+#include <mitsuba/render/shapegroup.h>
+
+NAMESPACE_BEGIN(mitsuba)
+
+template <typename Float, typename Spectrum>
+class SurfaceDemands final : private TraversalCallback {
+public:
+    MI_IMPORT_TYPES(Scene, Shape, BSDF)
+
+    /// Some surface scatters light that arrives below its geometric normal.
+    bool both_sides() const { return m_both_sides; }
+
+    /// Some surface is shaded with another normal than its geometric one.
+    bool shading_normals() const { return m_shading_normals; }
+
+    void look_at(const Scene *scene) {
+        for (ref<Shape> shape : scene->shapes())
+            look_at(shape.get());
+        // An instance has a BSDF that is never used; the shapes that it repeats are in the groups.
+        for (const auto &group : scene->shapegroups())
+            for (ref<Shape> shape : group->shapes())
+                look_at(shape.get());
+    }
+
+private:
+    using MeshFloats = DynamicBuffer<dr::replace_scalar_t<Float, float>>;
+    using MeshIndices = DynamicBuffer<dr::uint32_array_t<Float>>;
+    using InputVector3f = Vector<float, 3>;
+
+    void look_at(Shape *shape) {
+        if (m_both_sides && m_shading_normals)
+            return;
+
+        // `sdfgrid` does not tell whether it interpolates its normals: assume that it does.
+        m_shading_normals |= shape->shape_type() == +ShapeType::SDFGrid;
+
+        // Only smooth lobes are lit by emitter sampling. `Null`, a part of `Transmission`, is not among them,
+        // so media boundaries, masks and clear glass demand nothing.
+        constexpr uint32_t Smooth = +BSDFFlags::Smooth;
+        constexpr uint32_t Back =
+            BSDFFlags::BackSide | BSDFFlags::DiffuseTransmission | BSDFFlags::GlossyTransmission;
+        if (const BSDF *bsdf = shape->bsdf())
+            for (size_t i = 0; i < bsdf->component_count(); ++i)
+                m_both_sides |= (bsdf->flags(i) & Smooth) != 0 && (bsdf->flags(i) & Back) != 0;
+
+        // The parameters of a shape and of its BSDFs say the rest. (The wheel's `render/mesh.h`, where a mesh
+        // would answer directly, includes a file that the wheel lacks.)
+        m_faces = nullptr;
+        m_positions = m_normals = nullptr;
+        shape->traverse(this);
+        if (m_faces && m_positions && m_normals)
+            compare_normals();
+    }
+
+    void put_value(std::string_view name, void *value, uint32_t, const std::type_info &type) override {
+        if (name == "faces" && type == typeid(MeshIndices))
+            m_faces = static_cast<const MeshIndices *>(value);
+        else if (name == "vertex_positions" && type == typeid(MeshFloats))
+            m_positions = static_cast<const MeshFloats *>(value);
+        else if (name == "vertex_normals" && type == typeid(MeshFloats))
+            m_normals = static_cast<const MeshFloats *>(value);
+    }
+
+    void put_object(std::string_view, Object *object, uint32_t) override {
+        if (!object || object->type() != ObjectType::BSDF)
+            return;
+        // No flag tells these two from the BSDF that they wrap.
+        m_shading_normals |= object->class_name() == "BumpMap" || object->class_name() == "NormalMap";
+        object->traverse(this);
+    }
+
+    /// Looks for a vertex normal of a mesh that is not the normal of its triangle: boxes, and most files of
+    /// flat meshes, have vertex normals that change nothing.
+    void compare_normals() {
+        // 0.6 degrees, more than the rounding of normals in text files. A smaller angle changes the weight of
+        // a sample by less than 0.01/cos, which is large only where the surface is dark.
+        constexpr float SameNormal = 1.f - 0.5f * 0.01f * 0.01f;
+
+        // Where the variant compiles kernels, the buffers may be on a device.
+        auto &&faces = dr::migrate(*m_faces, JitBackend::None);
+        auto &&positions = dr::migrate(*m_positions, JitBackend::None);
+        auto &&normals = dr::migrate(*m_normals, JitBackend::None);
+        if constexpr (dr::is_jit_v<Float>)
+            dr::sync_thread();
+        if (dr::width(normals) != dr::width(positions))
+            return; // no vertex normals: an empty buffer
+
+        for (size_t i = 0; i + 2 < dr::width(faces); i += 3) {
+            const uint32_t *corner = faces.data() + i;
+            const InputVector3f p = vector(positions.data() + 3 * corner[0]);
+            const InputVector3f normal = dr::normalize(dr::cross(
+                vector(positions.data() + 3 * corner[1]) - p, vector(positions.data() + 3 * corner[2]) - p));
+            for (size_t j = 0; j < 3; ++j) {
+                const InputVector3f shaded = dr::normalize(vector(normals.data() + 3 * corner[j]));
+                const float cosine = dr::dot(normal, shaded);
+                // Comparisons are false for degenerate triangles, whose normal is NaN.
+                m_shading_normals |= cosine < SameNormal;
+                // Normals against the winding (mirrored meshes): what is lit lies below the geometric normal.
+                m_both_sides |= cosine < 0.f;
+            }
+            if (m_both_sides && m_shading_normals)
+                return;
+        }
+    }
+
+    /// Three floats. (`dr::load` would read a fourth.)
+    static InputVector3f vector(const float *v) { return {v[0], v[1], v[2]}; }
+
+    bool m_both_sides = false;
+    bool m_shading_normals = false;
+
+    // Of the mesh that is being looked at
+    const MeshIndices *m_faces = nullptr;
+    const MeshFloats *m_positions = nullptr;
+    const MeshFloats *m_normals = nullptr;
+};
+
+NAMESPACE_END(mitsuba)

@@ -1,0 +1,137 @@
+//! The one number type of the kernels: a scalar, a packet of scalars, or a node of somebody else's expression
+//! graph. Every kernel is generic over [`Lane`] and so exists once.
+//!
+//! Three rules keep all executions equal to the bit:
+//! - [`Lane::fma`] rounds once in every lane; `a * b + c` rounds twice in every lane (Rust never contracts).
+//! - A choice is a [`Lane::select`], or a [`branch!`] where skipping the other side is worth it: a real branch for a
+//!   scalar, an any/all test for a packet, a select when recording.
+//! - Elementary functions are built from the operations below (`math.rs`), never taken from a platform.
+
+mod scalar;
+
+use crate::fits::Fits;
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// A literal that meets a lane: `lit(1.0) - x` and `x * lit(0.5)` need no type annotation.
+#[derive(Clone, Copy, Debug)]
+pub struct Lit(pub f64);
+
+/// Makes a literal. In single precision it is rounded to nearest once, when it meets a lane.
+#[inline(always)]
+pub const fn lit(value: f64) -> Lit {
+    Lit(value)
+}
+
+macro_rules! lit_operators {
+    ($($op:ident $method:ident),*) => {$(
+        impl<L: Lane> $op<L> for Lit {
+            type Output = L;
+            #[inline(always)]
+            fn $method(self, rhs: L) -> L {
+                L::lit(self.0).$method(rhs)
+            }
+        }
+    )*};
+}
+lit_operators!(Add add, Sub sub, Mul mul, Div div);
+
+/// One truth value per lane.
+pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// Whether some lane may be true. A recorded mask answers `true` unless it is the constant `false`.
+    fn any(self) -> bool;
+    /// Whether all lanes are known to be true. A recorded mask answers `false` unless it is the constant `true`.
+    fn all(self) -> bool;
+}
+
+/// What a side of a [`branch!`] may return: lanes, and vectors, tuples and arrays of them.
+pub trait Blend<M>: Copy {
+    /// A value for the side that no lane takes.
+    fn blank() -> Self;
+    /// `yes` where the mask is true, `no` elsewhere.
+    fn blend(mask: M, yes: Self, no: Self) -> Self;
+}
+
+/// An arithmetic type that the kernels run on; see the module's text for its rules.
+pub trait Lane:
+    Copy
+    + Blend<Self::Mask>
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<Lit, Output = Self>
+    + Sub<Lit, Output = Self>
+    + Mul<Lit, Output = Self>
+    + Div<Lit, Output = Self>
+{
+    /// What a comparison gives.
+    type Mask: Mask;
+
+    /// The polynomials fitted for this precision.
+    const FITS: Fits;
+    /// Stored bits of the significand: 23 or 52.
+    const SIGNIFICAND_BITS: i32;
+    /// Exponent bias: 127 or 1023.
+    const EXPONENT_BIAS: i32;
+    /// Distance from 1 to the next number: `2^-SIGNIFICAND_BITS`.
+    const EPSILON: f64;
+    /// Smallest positive normal number.
+    const MIN_POSITIVE: f64;
+    /// Largest finite number.
+    const MAX: f64;
+
+    /// The lane with this value everywhere, rounded to nearest.
+    fn lit(value: f64) -> Self;
+    /// `self * factor + addend`, rounded once.
+    fn fma(self, factor: Self, addend: Self) -> Self;
+    /// Square root, correctly rounded; NaN below zero.
+    fn sqrt(self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+    /// `if self < other { self } else { other }`: `other` where either is NaN.
+    fn min(self, other: Self) -> Self;
+    /// `if self > other { self } else { other }`: `other` where either is NaN.
+    fn max(self, other: Self) -> Self;
+    /// `self < other`, false where either is NaN.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `self <= other`, false where either is NaN.
+    fn le(self, other: Self) -> Self::Mask;
+    /// `yes` where the mask is true, `no` elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// The bit pattern, read as an integer and converted to the nearest number of this type.
+    fn bits(self) -> Self;
+    /// The inverse of [`Lane::bits`]: a non-negative number, truncated, becomes a bit pattern.
+    fn float_of_bits(self) -> Self;
+}
+
+/// Evaluates only the sides that some lane needs: `branch!(mask, if_true, if_false)`.
+///
+/// A macro and not a function of closures, because a closure that is not inlined is compiled without its caller's
+/// target features. Do not `return` or use `?` inside a side.
+macro_rules! branch {
+    ($mask:expr, $yes:expr, $no:expr) => {{
+        let mask = $mask;
+        let yes = if $crate::lane::Mask::any(mask) { $yes } else { $crate::lane::Blend::blank() };
+        let no = if $crate::lane::Mask::all(mask) { $crate::lane::Blend::blank() } else { $no };
+        $crate::lane::Blend::blend(mask, yes, no)
+    }};
+}
+pub(crate) use branch;
+
+macro_rules! blend_tuples {
+    ($($name:ident $index:tt),*) => {
+        impl<M: Copy, $($name: Blend<M>),*> Blend<M> for ($($name,)*) {
+            #[inline(always)]
+            fn blank() -> Self {
+                ($($name::blank(),)*)
+            }
+            #[inline(always)]
+            fn blend(mask: M, yes: Self, no: Self) -> Self {
+                ($($name::blend(mask, yes.$index, no.$index),)*)
+            }
+        }
+    };
+}
+blend_tuples!(A 0, B 1);
+blend_tuples!(A 0, B 1, C 2);

@@ -1,0 +1,51 @@
+//! Samples spherical lights uniformly in projected solid angle.
+//!
+//! A shading point sees a spherical light as a spherical cap. Sampling the *projected* cap uniformly cancels the cosine of a
+//! diffuse surface: without occlusion every sample has the same weight, so one ray shows no noise.
+//!
+//! ```
+//! use spherecap::{Sampler, Strategy};
+//!
+//! // A light of radius 0.5, whose centre is below the horizon of a floor with the normal z.
+//! let (normal, centre, radius) = ([0.0, 0.0, 1.0], [1.0, 0.0, -0.2], 0.5);
+//! let sampler = Sampler::<f32>::prepare(Strategy::default(), normal, centre, radius)?;
+//! let sample = sampler.sample(0.3, 0.7);
+//!
+//! // A ray along `sample.direction` meets the light after `sample.distance`; the irradiance is one number,
+//! // whatever the random numbers were.
+//! let irradiance = sample.offset.cosine / sample.density.solid_angle;
+//! assert!((irradiance / sampler.cap().projected_solid_angle() - 1.0).abs() < 1e-5);
+//!
+//! // The density of a sample can be asked for, and its random numbers recovered.
+//! assert_eq!(sampler.pdf(sample.offset), sample.density);
+//! let [u0, u1] = sampler.invert(sample.offset);
+//! assert!((u0 - 0.3).abs() < 1e-5 && (u1 - 0.7).abs() < 1e-5);
+//! # Ok::<(), spherecap::Refusal>(())
+//! ```
+//!
+//! The kernels are written once, generic over a [`Lane`]: `f32` and `f64` here; whatever else has its operations (a packet,
+//! a node of an expression graph) runs the same code. [`Sampler::prepare`] is the checked way in for scalars,
+//! [`Cap::new`] and [`Sampler::new`] are total functions of any lane. The C ABI is `include/spherecap.h`.
+//!
+//! After C. Peters and C. Dachsbacher, "Sampling Projected Spherical Caps in Real Time", Proc. ACM Comput. Graph. Interact. Tech.
+//! 2(1), 2019, with a uniform technique where theirs is not, and numerics that hold in single precision.
+
+mod cap;
+mod compensated;
+mod disk;
+mod ffi;
+mod fits;
+mod lane;
+mod math;
+mod offset;
+mod prepare;
+mod sampling;
+mod vec3;
+
+pub use cap::Cap;
+pub use fits::Fits;
+pub use lane::{lit, Blend, Lane, Lit, Mask};
+pub use offset::Offset;
+pub use prepare::{Refusal, Scalar, UNIT_TOLERANCE};
+pub use sampling::{density_bound_for_radius, Density, Hemispheres, Sample, Sampler, Strategy, Technique};
+pub use vec3::Vec3;

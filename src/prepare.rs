@@ -1,0 +1,126 @@
+//! The checked way in for scalars: bad input gets an error that says what to do.
+
+use crate::cap::Cap;
+use crate::lane::Lane;
+use crate::offset::Offset;
+use crate::sampling::{Sampler, Strategy};
+use crate::vec3::Vec3;
+use core::{ffi::CStr, fmt};
+
+/// How far the length of a unit vector may be from 1: interpolated and transformed normals are that good, forgotten
+/// normalisations are not.
+pub const UNIT_TOLERANCE: f64 = 1e-3;
+
+/// Why there is nothing to sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Refusal {
+    /// Valid input, but the sphere is not above the horizon (or looks too small for this precision): it lights nothing.
+    Invisible,
+    /// Valid input, but the point is inside or on the sphere: an emitter of its outer side lights nothing there.
+    Inside,
+    /// The defensive fraction is not in [0, 1].
+    Defensive,
+    /// The normal is neither of unit length nor exactly zero.
+    Normal,
+    /// The centre is not at a finite distance, or is the shading point.
+    Centre,
+    /// The radius is not a positive finite number.
+    Radius,
+}
+
+impl Refusal {
+    /// The reason in words and what to do, as the C ABI has it.
+    pub(crate) const fn message(self) -> &'static CStr {
+        match self {
+            Self::Invisible => c"the sphere is not above the surface's horizon, so nothing is sampled: add no light",
+            Self::Inside => c"the point is inside or on the sphere, so nothing is sampled: add no light",
+            Self::Defensive => c"the defensive fraction must be a number in [0, 1]",
+            Self::Normal => {
+                c"the normal must have length 1 (to within 0.001), or be exactly (0, 0, 0) on no surface: normalise it"
+            }
+            Self::Centre => {
+                c"the centre must be at a finite distance from the shading point, relative to it and different from it"
+            }
+            Self::Radius => c"the radius must be a positive finite number",
+        }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.message().to_str().expect("messages are ASCII"))
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+/// The scalar lanes.
+pub trait Scalar: Lane<Mask = bool> + PartialOrd + Into<f64> + fmt::Debug {}
+impl Scalar for f32 {}
+impl Scalar for f64 {}
+
+/// Whether a vector has length 1 to within [`UNIT_TOLERANCE`].
+#[inline(always)]
+pub(crate) fn is_unit<F: Scalar>(v: Vec3<F>) -> bool {
+    let length2 = v.dot(v);
+    let low = F::lit((1.0 - UNIT_TOLERANCE) * (1.0 - UNIT_TOLERANCE));
+    let high = F::lit((1.0 + UNIT_TOLERANCE) * (1.0 + UNIT_TOLERANCE));
+    low <= length2 && length2 <= high
+}
+
+/// Whether an offset may be that of a direction: components of a unit vector.
+#[inline(always)]
+pub(crate) fn is_offset<F: Scalar>(offset: Offset<F>) -> bool {
+    let largest = F::lit(1.0 + UNIT_TOLERANCE);
+    let Offset { zenith, side, cosine } = offset;
+    zenith.abs() <= largest && side.abs() <= largest && cosine.abs() <= largest
+}
+
+impl<F: Scalar> Sampler<F> {
+    /// Prepares sampling of the sphere with this `centre` (relative to the shading point) and `radius` (same unit of length)
+    /// above the surface with this `normal`, or for a point on no surface if the normal is exactly zero.
+    ///
+    /// # Errors
+    /// A [`Refusal`], also for valid input with nothing to sample.
+    #[inline(always)]
+    pub fn prepare(
+        strategy: Strategy<F>,
+        normal: impl Into<Vec3<F>>,
+        centre: impl Into<Vec3<F>>,
+        radius: F,
+    ) -> Result<Self, Refusal> {
+        let (normal, centre) = (normal.into(), centre.into());
+        let (zero, largest) = (F::lit(0.0), F::lit(F::MAX));
+        if !(zero <= strategy.defensive && strategy.defensive <= F::lit(1.0)) {
+            return Err(Refusal::Defensive);
+        }
+        let is_zero = normal.x == zero && normal.y == zero && normal.z == zero;
+        if !(is_zero || is_unit(normal)) {
+            return Err(Refusal::Normal);
+        }
+        if !(zero < radius && radius <= largest) {
+            return Err(Refusal::Radius);
+        }
+        let (x, y, z) = (centre.x.abs(), centre.y.abs(), centre.z.abs());
+        if !(x <= largest && y <= largest && z <= largest && zero < x.max(y).max(z)) {
+            return Err(Refusal::Centre);
+        }
+        // Unit vectors of single precision are used as they stand. With a longer or shorter one the cap would contradict
+        // itself: a cosine would not be that of its angle.
+        let length2 = normal.dot(normal);
+        let is_rounded = (length2 - F::lit(1.0)).abs() <= F::lit(4.0 * f64::from(f32::EPSILON));
+        let normal = if is_zero || is_rounded { normal } else { normal * (F::lit(1.0) / length2.sqrt()) };
+        let cap = Cap::new(normal, centre, radius);
+        if cap.distance() > largest {
+            return Err(Refusal::Centre);
+        }
+        if cap.is_inside() {
+            return Err(Refusal::Inside);
+        }
+        let sampler = Self::new(cap, strategy);
+        if sampler.is_empty() {
+            return Err(Refusal::Invisible);
+        }
+        Ok(sampler)
+    }
+}

@@ -1,0 +1,119 @@
+//! The crescent by the warp of Peters and Dachsbacher 2019: the technique of the paper, whose density in case 3 varies by at
+//! most a factor given by Equation (4) of its supplement.
+//!
+//! A point `d` of the unit disk beyond the chord `x = t_x` is seen on the hemisphere above, where it is at the height
+//! `d_z = sqrt(1 - d_x^2 - d_y^2)` in [0, t_y]. Heights are scaled linearly to [0, rise] and widths by `s_y`, so that the slice
+//! at each height fills the cap's. The supplement's `s_y` (Section 1) has a factor `t_y - d_z` in numerator and denominator;
+//! without it, and with `r_z - c_z = s X + v |Z|` and `s^2 tau^2 = rise (s X + v |Z|) = t_y^2 X^2`, it is
+//! `s_y^2 = (1 + w_z / (s X + v |Z|)) / (1 + w_z / rise)`, which is 0/0 nowhere.
+
+use super::crescent;
+use crate::cap::Cap;
+use crate::disk::{height_per_power, power_per_height, symmetric, two_thirds_power};
+use crate::lane::{lit, Lane};
+use crate::offset::Offset;
+
+/// `s_y^2` at the height `cosine` above the horizon, in [1/2, 1].
+#[inline(always)]
+fn width_scale2<L: Lane>(cap: &Cap<L>, cosine: L) -> L {
+    let depth = cap.radius_sin.fma(cap.elevation_cos, cap.radius_cos * cap.elevation());
+    (lit(1.0) + cosine / depth) / (lit(1.0) + cosine / cap.rise)
+}
+
+/// `h = 1 - sqrt(1 - y^2 - z^2)`.
+#[inline(always)]
+fn height<L: Lane>(y: L, z: L) -> L {
+    let sin2 = y.fma(y, z * z);
+    sin2 / (lit(1.0) + (lit(1.0) - sin2).max(L::lit(0.0)).sqrt())
+}
+
+/// A direction in the crescent, or (`is_segment`) in the part of the centre's side beyond the chord, which needs no warp.
+#[inline(always)]
+pub(super) fn sample<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, u0: L, u1: L) -> Offset<L> {
+    let c = &cap.crescent;
+    // The slices of `crescent.rs` for kappa = 0.
+    let (u, v2) = symmetric(u1);
+    let k = two_thirds_power(u0) * c.width * power_per_height(c.width);
+    let h = k * height_per_power(k);
+    let radius = (h * (lit(2.0) - h)).sqrt();
+    let (y, z) = (radius * u, radius * v2.sqrt());
+
+    let warped_z = z * (cap.rise / c.t_y);
+    let warped_y = y * width_scale2(cap, warped_z).sqrt();
+    let pick = |segment: L, warped: L| L::select(is_segment, segment, warped);
+    let h = pick(h, height(warped_y, warped_z));
+    crescent::offset(cap, is_segment, h, pick(y, warped_y), pick(z, warped_z))
+}
+
+/// The point of the cut disk that the warp sends to an offset: its `d_y`, `d_z` and `s_y`.
+#[inline(always)]
+fn unwarp<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> [L; 3] {
+    let cosine = offset.cosine.abs();
+    let width = width_scale2(cap, cosine).sqrt();
+    [offset.side / width, cosine * (cap.crescent.t_y / cap.rise), width]
+}
+
+/// The density over that of a uniform one: `t_y^2 E w_x / (rise^2 A_D d_x s_y)` with the area `A_D` of the cut disk and
+/// `E` of the crescent (Section 2 of the supplement).
+#[inline(always)]
+pub(super) fn relative_density<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> L {
+    let c = &cap.crescent;
+    let [d_y, d_z, width] = unwarp(cap, offset);
+    // Both are at least t_x (Section 3.2), which next to the sphere is all that rounding leaves of them.
+    let x2 = |y: L, z: L| (lit(1.0) - y.fma(y, z * z)).max(c.t_x * c.t_x);
+    let (d_x2, w_x2) = (x2(d_y, d_z), x2(offset.side, offset.cosine));
+    let stretch = c.t_y / cap.rise;
+    let crescent = cap.projected_above.min(cap.projected_below);
+    let areas = crescent / (c.t_y_cubed() * c.shape);
+    stretch * stretch * areas * (w_x2 / d_x2).sqrt() / width
+}
+
+/// The random numbers of [`sample`].
+#[inline(always)]
+pub(super) fn invert<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, offset: Offset<L>) -> [L; 2] {
+    let [d_y, d_z, _] = unwarp(cap, offset);
+    let y = L::select(is_segment, offset.side, d_y);
+    let z = L::select(is_segment, offset.cosine, d_z);
+    let h = height(y, z);
+    let end = cap.crescent.width;
+    let ratio = h * power_per_height(h) / (end * power_per_height(end));
+    let radius = y.fma(y, z * z).sqrt();
+    [ratio * ratio.sqrt(), (y / radius).fma(L::lit(0.5), L::lit(0.5))]
+}
+
+/// Equation (4) of the supplement: largest over smallest density, in case 3; 1 elsewhere. In its terms
+/// `(c_x - r_x)/t_x sqrt((r_z - c_z)/r_z)`, with `c_x - r_x = X v + s |Z|` and `(r_z - c_z)/r_z = 1 + e`.
+#[inline(always)]
+pub(super) fn density_bound<L: Lane>(cap: &Cap<L>) -> L {
+    let c = &cap.crescent;
+    let reach = cap.elevation_cos.fma(cap.radius_cos, cap.radius_sin * cap.elevation());
+    let bound = reach / c.t_x * (lit(1.0) + c.cut).sqrt();
+    let is_case_3 = L::lit(0.0).lt(c.tau) & cap.elevation_sin.le(L::lit(0.0));
+    L::select(is_case_3, bound, L::lit(1.0))
+}
+
+/// The conservative bound of Section 3.4 of the supplement: the largest [`density_bound`] of any cap with this `s = r/d`
+/// in (0, 1), and hence of any smaller one. It is sqrt 2 for `s <= 1/2` and below two for `s <= 1/1.094`.
+///
+/// The bound of the caps with one s, `(X v + s |Z|) X/v sqrt(1 + kappa v / X)`, is sqrt 2 as they set (`kappa -> 1`) and has
+/// at most one maximum before (checked on a dense grid in the tests): a golden-section search finds the larger.
+pub fn density_bound_for_radius(s: f64) -> f64 {
+    let v = ((1.0 - s) * (1.0 + s)).sqrt();
+    let bound = |kappa: f64| {
+        let z = kappa * s;
+        let x = ((1.0 - z) * (1.0 + z)).sqrt();
+        (x * v + s * z) * x / v * (1.0 + kappa * v / x).sqrt()
+    };
+    let golden = (5.0_f64.sqrt() - 1.0) / 2.0;
+    let (mut low, mut high) = (0.0, 1.0);
+    // The maximum is flat: sqrt(f64::EPSILON) of kappa is all that shows, reached after 38 steps.
+    for _ in 0..38 {
+        let (a, b) = (high - golden * (high - low), low + golden * (high - low));
+        if bound(a) < bound(b) {
+            low = a;
+        } else {
+            high = b;
+        }
+    }
+    bound(0.5 * (low + high)).max(2.0_f64.sqrt())
+}

@@ -1,0 +1,393 @@
+//! Sampling a cap: one prepared [`Sampler`], three techniques, two mixtures.
+//!
+//! A technique is a map from the unit square onto directions, with its density and its inverse. Everything that decides
+//! anything is decided once, in [`Sampler::new`]; sample, pdf and invert read it.
+//!
+//! | part of the cap | file | used by |
+//! |---|---|---|
+//! | the whole cap, by solid angle | `solid_angle.rs` | `SolidAngle`, and the defensive part of the others |
+//! | case 1, and case 2 without its crescent: an ellipse | `ellipse.rs` | `ProjectedBounded`, `Projected` |
+//! | the crescent, uniformly | `crescent.rs` | `Projected` |
+//! | the crescent, by the paper's warp | `bounded.rs` | `ProjectedBounded` |
+
+mod bounded;
+mod crescent;
+mod ellipse;
+mod solid_angle;
+
+use crate::cap::Cap;
+use crate::disk::{shape, shape_and_difference};
+use crate::lane::{branch, lit, Lane};
+use crate::offset::Offset;
+use crate::vec3::Vec3;
+use core::f64::consts::PI;
+
+pub use bounded::density_bound_for_radius;
+
+/// How directions are distributed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum Technique {
+    /// Uniform in solid angle over the whole cap, also where it is below the horizon: the usual way, and the baseline.
+    SolidAngle = 0,
+    /// Uniform in projected solid angle where the sphere's centre is above the horizon; below it the warp of Peters and
+    /// Dachsbacher 2019, whose density varies by a bounded factor ([`Sampler::density_bound`]).
+    ProjectedBounded = 1,
+    /// Uniform in projected solid angle in every case: the density is constant to within 1e-5.
+    Projected = 2,
+}
+
+/// Which sides of the surface the projected techniques cover.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum Hemispheres {
+    /// Directions above the horizon: for opaque surfaces.
+    Front = 0,
+    /// Both sides, each sampled in proportion to |cosine|; a side is chosen by its share of the solid angle. For surfaces
+    /// that transmit, or whose side is not known.
+    Both = 1,
+}
+
+/// What a cap is sampled with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strategy<L> {
+    /// How directions are distributed.
+    pub technique: Technique,
+    /// Which sides of the surface are covered. [`Technique::SolidAngle`] always covers both.
+    pub hemispheres: Hemispheres,
+    /// Probability, in [0, 1], of sampling by solid angle instead. It bounds every weight by its reciprocal times that of
+    /// plain solid-angle sampling, for integrands that are no multiple of the cosine (shading normals).
+    pub defensive: L,
+}
+
+impl<L: Lane> Default for Strategy<L> {
+    fn default() -> Self {
+        Self { technique: Technique::Projected, hemispheres: Hemispheres::Front, defensive: L::lit(0.0) }
+    }
+}
+
+/// A probability density in two measures.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Density<L> {
+    /// With respect to solid angle, per steradian.
+    pub solid_angle: L,
+    /// With respect to projected solid angle: the same divided by |cosine|, but never infinite.
+    pub projected_solid_angle: L,
+}
+
+/// A sampled direction and where it meets the sphere.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Sample<L> {
+    /// The direction in the cap's frame, at full precision.
+    pub offset: Offset<L>,
+    /// Unit direction from the shading point.
+    pub direction: Vec3<L>,
+    /// Distance to the sphere's surface along the direction, in the caller's unit of length.
+    pub distance: L,
+    /// Unit outward normal of the sphere there: centre + radius * normal is the point itself.
+    pub normal: Vec3<L>,
+    /// Density of the direction, the same bits as [`Sampler::pdf`] of its offset.
+    pub density: Density<L>,
+}
+
+/// A cap prepared for sampling with one [`Strategy`]. Plain data.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Sampler<L> {
+    technique: Technique,
+    hemispheres: Hemispheres,
+    cap: Cap<L>,
+    /// Probability of the solid-angle part: 0 or 1 where only one part exists.
+    defensive: L,
+    /// Reciprocal projected solid angles above and below the horizon; 0 for a side with nothing on it.
+    inv_above: L,
+    inv_below: L,
+    /// Probability of the side above the horizon.
+    share_above: L,
+    ellipse: ellipse::Ellipse<L>,
+    marginal: crescent::Marginal<L>,
+}
+
+impl<L: Lane> Sampler<L> {
+    /// Prepares a cap for sampling.
+    #[inline(always)]
+    pub fn new(cap: Cap<L>, strategy: Strategy<L>) -> Self {
+        let Strategy { technique, hemispheres, defensive } = strategy;
+        let zero = L::lit(0.0);
+        let reciprocal = |area: L| L::select(zero.lt(area), lit(1.0) / area, zero);
+        let inv_above = reciprocal(cap.projected_above);
+        let inv_below = match hemispheres {
+            Hemispheres::Front => zero,
+            Hemispheres::Both => reciprocal(cap.projected_below),
+        };
+        let samples_projected = zero.lt(inv_above + inv_below);
+        // With nothing for the technique to sample, a defensive sampler still covers the whole cap: a shading normal may
+        // see what the geometric one does not. So does every sampler without a surface, where no cosine exists.
+        let on_surface = zero.lt(cap.elevation_cos + cap.elevation_sin.abs());
+        let alone = L::select(zero.lt(defensive) | !on_surface, L::lit(1.0), zero);
+        let (defensive, ellipse, marginal) = match technique {
+            Technique::SolidAngle => (L::lit(1.0), ellipse::Ellipse::unused(), crescent::Marginal::unused()),
+            Technique::ProjectedBounded => (
+                L::select(samples_projected, defensive, alone),
+                ellipse::Ellipse::new(&cap),
+                crescent::Marginal::unused(),
+            ),
+            Technique::Projected => (
+                L::select(samples_projected, defensive, alone),
+                ellipse::Ellipse::new(&cap),
+                crescent::Marginal::new(&cap),
+            ),
+        };
+        let share_above = match hemispheres {
+            Hemispheres::Front => L::lit(1.0),
+            // A side with nothing on it (that can be weighed) gets no samples.
+            Hemispheres::Both => L::select(
+                zero.lt(inv_below),
+                L::select(zero.lt(inv_above), share_above(&cap), zero),
+                L::lit(1.0),
+            ),
+        };
+        Self { technique, hemispheres, cap, defensive, inv_above, inv_below, share_above, ellipse, marginal }
+    }
+
+    /// Whether there is nothing to sample: every density is 0.
+    #[inline(always)]
+    pub fn is_empty(&self) -> L::Mask {
+        let zero = L::lit(0.0);
+        let plain = zero.lt(self.defensive) & zero.lt(self.cap.solid_angle);
+        !(zero.lt(self.inv_above + self.inv_below) | plain)
+    }
+
+    /// The geometry that was prepared.
+    #[inline(always)]
+    pub fn cap(&self) -> &Cap<L> {
+        &self.cap
+    }
+
+    /// A direction for two random numbers in \[0, 1\]. The ends are allowed: numbers are moved inwards by half the
+    /// precision's epsilon where they would give a direction on the horizon, whose density is zero.
+    ///
+    /// The map is continuous for each part of a mixture. An empty cap gives density 0 and an arbitrary direction.
+    #[inline(always)]
+    pub fn sample(&self, u0: L, u1: L) -> Sample<L> {
+        let (u0, u1) = (interior(u0), interior(u1));
+        let offset = match self.technique {
+            Technique::SolidAngle => solid_angle::sample(&self.cap, u0, u1),
+            _ => {
+                let is_defensive = u0.lt(self.defensive);
+                branch!(
+                    is_defensive,
+                    solid_angle::sample(&self.cap, interior(u0 / self.defensive), u1),
+                    self.sample_projected(remap(u0, self.defensive), u1)
+                )
+            }
+        };
+        let density = self.pdf_on_sphere(offset);
+        let (direction, distance, normal) = self.cap.hit(offset);
+        Sample { offset, direction, distance, normal, density }
+    }
+
+    /// A direction by the projected technique, on one side or both.
+    #[inline(always)]
+    fn sample_projected(&self, u0: L, u1: L) -> Offset<L> {
+        let cap = &self.cap;
+        let centre_above = L::lit(0.0).lt(cap.elevation_sin);
+        match self.hemispheres {
+            Hemispheres::Front => self.sample_side(centre_above, u0, u1),
+            Hemispheres::Both => {
+                let above = u0.lt(self.share_above);
+                let u0 = L::select(above, interior(u0 / self.share_above), remap(u0, self.share_above));
+                // The centre's side is the one where both or neither are above.
+                let same = (above & centre_above) | (!above & !centre_above);
+                let Offset { zenith, side, cosine } = self.sample_side(same, u0, u1);
+                // Below the horizon all is mirrored.
+                let sign = L::select(above, L::lit(1.0), L::lit(-1.0));
+                Offset { zenith: zenith * sign, side, cosine: cosine * sign }
+            }
+        }
+    }
+
+    /// A direction on the side of the horizon where the centre is, or on the other, as if that side were above.
+    #[inline(always)]
+    fn sample_side(&self, centre_side: L::Mask, u0: L, u1: L) -> Offset<L> {
+        let in_ellipse = centre_side & self.ellipse.crescent_share.le(u0);
+        branch!(in_ellipse, self.ellipse.sample(&self.cap, remap(u0, self.ellipse.crescent_share), u1), {
+            // In case 2 the part beyond the chord, which starts the ellipse, is the crescent of a cap with kappa = 0.
+            let u0 = L::select(centre_side, interior(u0 / self.ellipse.crescent_share), u0);
+            match self.technique {
+                Technique::Projected => self.marginal.sample(&self.cap, centre_side, u0, u1),
+                _ => bounded::sample(&self.cap, centre_side, u0, u1),
+            }
+        })
+    }
+
+    /// Density of the direction with this offset; zero outside the cap, and where the strategy samples nothing. For an
+    /// offset that [`Sampler::sample`] returned: the very bits it returned as density.
+    #[inline(always)]
+    pub fn pdf(&self, offset: Offset<L>) -> Density<L> {
+        let Density { solid_angle, projected_solid_angle } = self.pdf_on_sphere(offset);
+        let inside = self.cap.contains(offset);
+        let or_zero = |x: L| L::select(inside, x, L::lit(0.0));
+        Density { solid_angle: or_zero(solid_angle), projected_solid_angle: or_zero(projected_solid_angle) }
+    }
+
+    /// As [`Sampler::pdf`], for an offset that is known to lie in the cap: only the horizon is tested, so that a
+    /// direction towards a point of the sphere does not lose its density to rounding.
+    #[inline(always)]
+    pub fn pdf_on_sphere(&self, offset: Offset<L>) -> Density<L> {
+        let zero = L::lit(0.0);
+        let cap = &self.cap;
+        let plain = L::select(zero.lt(cap.solid_angle), lit(1.0) / cap.solid_angle, zero);
+        let cosine = offset.cosine.abs();
+        let per_cosine = |pdf: L| (pdf / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX));
+        if self.technique == Technique::SolidAngle {
+            return Density { solid_angle: plain, projected_solid_angle: per_cosine(plain) };
+        }
+        let above = zero.lt(offset.cosine);
+        let below = offset.cosine.lt(zero);
+        let share_below = lit(1.0) - self.share_above;
+        let weight = L::select(
+            above,
+            self.inv_above * self.share_above,
+            L::select(below, self.inv_below * share_below, zero),
+        );
+        let projected = match self.technique {
+            Technique::ProjectedBounded => {
+                let centre_above = zero.lt(cap.elevation_sin);
+                let centre_side = (above & centre_above) | (below & !centre_above);
+                let is_warped = zero.lt(weight) & zero.lt(cap.crescent.tau) & !centre_side;
+                weight * branch!(is_warped, bounded::relative_density(cap, offset), L::lit(1.0))
+            }
+            _ => weight,
+        };
+        let plain = plain * self.defensive;
+        let rest = lit(1.0) - self.defensive;
+        Density {
+            solid_angle: projected.fma(rest * cosine, plain),
+            projected_solid_angle: projected.fma(rest, per_cosine(plain)).min(L::lit(L::MAX)),
+        }
+    }
+
+    /// The largest density within the cap over the smallest, with respect to projected solid angle and above the horizon:
+    /// an upper bound, Equation (4) of the paper's supplement for [`Technique::ProjectedBounded`] in case 3, and 1 in every
+    /// other case and for [`Technique::Projected`]. The density of [`Technique::SolidAngle`] has no bound: infinity where the
+    /// horizon cuts or touches the cap, and the ratio of the extreme cosines elsewhere. Of the technique alone: the
+    /// mixtures are not counted.
+    #[inline(always)]
+    pub fn density_bound(&self) -> L {
+        let bound = match self.technique {
+            Technique::SolidAngle => solid_angle::density_bound(&self.cap),
+            Technique::ProjectedBounded => bounded::density_bound(&self.cap),
+            Technique::Projected => L::lit(1.0),
+        };
+        bound.max(L::lit(1.0))
+    }
+
+    /// The random numbers that give this offset: [`Sampler::sample`] of them returns it, to rounding. In the defensive mixture
+    /// the numbers of the projected part, where there is one. Within \[0, 1\] for offsets that the strategy samples.
+    #[inline(always)]
+    pub fn invert(&self, offset: Offset<L>) -> [L; 2] {
+        let zero = L::lit(0.0);
+        let cap = &self.cap;
+        let plain = || solid_angle::invert(cap, offset);
+        let [u0, u1] = match self.technique {
+            Technique::SolidAngle => plain(),
+            _ => {
+                let is_plain = L::lit(1.0).le(self.defensive);
+                branch!(is_plain, plain(), {
+                    let above = zero.lt(offset.cosine);
+                    let sign = L::select(above, L::lit(1.0), L::lit(-1.0));
+                    let mirrored = Offset {
+                        zenith: offset.zenith * sign,
+                        side: offset.side,
+                        cosine: offset.cosine.abs(),
+                    };
+                    let centre_above = zero.lt(cap.elevation_sin);
+                    let centre_side = (above & centre_above) | (!above & !centre_above);
+                    let [u0, u1] = self.invert_side(centre_side, mirrored);
+                    let u0 = match self.hemispheres {
+                        Hemispheres::Front => u0,
+                        Hemispheres::Both => {
+                            let share = self.share_above;
+                            L::select(above, u0 * share, (lit(1.0) - share).fma(u0, share))
+                        }
+                    };
+                    [(lit(1.0) - self.defensive).fma(u0, self.defensive), u1]
+                })
+            }
+        };
+        let unit = |u: L| u.max(zero).min(L::lit(1.0));
+        [unit(u0), unit(u1)]
+    }
+
+    /// The inverse of `sample_side`.
+    #[inline(always)]
+    fn invert_side(&self, centre_side: L::Mask, offset: Offset<L>) -> [L; 2] {
+        let share = self.ellipse.crescent_share;
+        // In case 2 the chord x = t_x divides them: x = X a - Z zenith.
+        let cap = &self.cap;
+        let in_ellipse = centre_side & self.ellipse.contains(cap, offset);
+        branch!(
+            in_ellipse,
+            {
+                let [u0, u1] = self.ellipse.invert(cap, offset);
+                [(lit(1.0) - share).fma(u0, share), u1]
+            },
+            {
+                let [u0, u1] = match self.technique {
+                    Technique::Projected => self.marginal.invert(cap, centre_side, offset),
+                    _ => bounded::invert(cap, centre_side, offset),
+                };
+                [L::select(centre_side, u0 * share, u0), u1]
+            }
+        )
+    }
+
+    /// Offset of a unit direction, to the precision that the direction has: an f32 vector resolves 6e-8, so that of a cap
+    /// with `s = 1e-6` little is left. Directions away from the sphere give an offset outside the cap.
+    #[inline(always)]
+    pub fn offset(&self, direction: Vec3<L>) -> Offset<L> {
+        self.cap.offset(direction)
+    }
+}
+
+/// Moves a random number off the ends of \[0, 1\], by less than two random numbers are apart.
+#[inline(always)]
+fn interior<L: Lane>(u: L) -> L {
+    let margin = 0.5 * L::EPSILON;
+    u.max(L::lit(margin)).min(L::lit(1.0 - margin))
+}
+
+/// What is left of `u` in `[share, 1]`, stretched to the unit interval.
+#[inline(always)]
+fn remap<L: Lane>(u: L, share: L) -> L {
+    interior((u - share) / (lit(1.0) - share))
+}
+
+/// Share of the cap's solid angle that lies above the horizon.
+///
+/// By Gauss and Bonnet the crescent has the solid angle `2 (acos kappa - v acos e)`. With `acos x = sin^3 H + sin x` and
+/// `1 - v = s^2 / (1 + v)` every difference in it divides out: over the whole cap's it is
+/// `tau^3 (1 + v)/pi [kappa m H[kappa, e] + (H(e) (m - kappa^2) + kappa) / X^2]` with `m = (1 - t_x)/s^2 = tau^2 / (X^2 (1 + t_x))`.
+#[inline(always)]
+fn share_above<L: Lane>(cap: &Cap<L>) -> L {
+    let one = L::lit(1.0);
+    let centre_above = L::lit(0.0).lt(cap.elevation_sin);
+    let crescent_share = branch!(
+        L::lit(0.0).lt(cap.crescent.tau),
+        {
+            let c = &cap.crescent;
+            let inv_x2 = lit(1.0) / (cap.elevation_cos * cap.elevation_cos);
+            let m = c.tau * c.tau * inv_x2 / (lit(1.0) + c.t_x);
+            let (_, difference) = shape_and_difference(c.kappa, c.cut);
+            let bracket =
+                (c.kappa * m).fma(difference, shape(c.cut).fma(m - c.kappa * c.kappa, c.kappa) * inv_x2);
+            let share = c.tau * c.tau * c.tau * (cap.radius_cos + lit(1.0)) * bracket * lit(1.0 / PI);
+            share.max(L::lit(0.0)).min(L::lit(0.5))
+        },
+        L::lit(0.0)
+    );
+    L::select(centre_above, one - crescent_share, crescent_share)
+}

@@ -1,0 +1,46 @@
+//! Uniform in solid angle over the whole cap, the part below the horizon included.
+//!
+//! The equal-area projection of the cap onto a disk (Lambert's): a point at radius rho of the unit disk goes to the
+//! angle with `1 - cos = (1 - v) rho^2`, hence `sin = rho sqrt((1 - v)(2 - (1 - v) rho^2))`, with `1 - v = s^2 / (1 + v)`.
+
+use crate::cap::Cap;
+use crate::disk::{disk_to_square, square_to_disk};
+use crate::lane::{lit, Lane};
+use crate::offset::Offset;
+
+/// `1 - v`: the cap's height.
+#[inline(always)]
+fn height<L: Lane>(cap: &Cap<L>) -> L {
+    cap.radius_sin * cap.radius_sin / (lit(1.0) + cap.radius_cos)
+}
+
+#[inline(always)]
+pub(super) fn sample<L: Lane>(cap: &Cap<L>, u0: L, u1: L) -> Offset<L> {
+    let point = square_to_disk(u0, u1, L::lit(0.0));
+    let height = height(cap);
+    // 1 - rho^2 = (1 - x^2)(1 - across^2).
+    let rest = point.chord2 * point.across_complement;
+    let depth = height * (lit(1.0) - rest);
+    let scale = (height * (lit(2.0) - depth)).sqrt();
+    let zenith = (point.from_edge - lit(1.0)) * scale;
+    let side = point.chord2.sqrt() * point.across * scale;
+    Offset { zenith, side, cosine: cap.cosine(lit(1.0) - depth, zenith) }
+}
+
+#[inline(always)]
+pub(super) fn invert<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> [L; 2] {
+    let sin2 = offset.sin2();
+    let depth = sin2 / (lit(1.0) + (lit(1.0) - sin2).max(L::lit(0.0)).sqrt());
+    let per_scale = lit(1.0) / (height(cap) * (lit(2.0) - depth)).sqrt();
+    let from_edge = offset.zenith.fma(per_scale, L::lit(1.0));
+    disk_to_square(from_edge, offset.side * per_scale, L::lit(0.0))
+}
+
+/// The largest cosine in the cap over the smallest; infinity where that is not positive.
+#[inline(always)]
+pub(super) fn density_bound<L: Lane>(cap: &Cap<L>) -> L {
+    let (s, v, x, z) = (cap.radius_sin, cap.radius_cos, cap.elevation_cos, cap.elevation_sin);
+    let top = L::select(x.lt(s), L::lit(1.0), z.fma(v, x * s));
+    let is_above = cap.rise.lt(L::lit(0.0)) & L::lit(0.0).lt(z);
+    L::select(is_above, -top / cap.rise, L::lit(f64::INFINITY))
+}

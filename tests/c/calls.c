@@ -1,0 +1,311 @@
+// Calls every function with good input and with every kind of bad input. Prints the statuses that it has met,
+// one a line with its message, for `tests/c_abi.rs` to compare with the header's list.
+
+#include "spherecap.h" // first, so that it must be self-contained
+
+#include "check.h"
+
+#include <float.h>
+#include <math.h>
+
+#define SMALLEST 1.40129846e-45f // the smallest subnormal; FLT_TRUE_MIN came with C11
+
+static const float zenith[3] = {0.0f, 0.0f, 1.0f};
+static const float ahead[3] = {3.0f, 0.0f, 0.5f};
+
+static int met[64];
+
+static uint32_t meet(uint32_t status) {
+    CHECK(status < sizeof met / sizeof *met);
+    met[status] = 1;
+    return status;
+}
+
+// The call gives this status and zeros in `out`. The call's other arguments mention `out` themselves.
+#define EXPECT_NOTHING(expected, out, call)                                                                  \
+    do {                                                                                                     \
+        fill_with_rubbish(&(out), sizeof(out));                                                              \
+        CHECK(meet(call) == (expected));                                                                     \
+        CHECK(is_all_zero(&(out), sizeof(out)));                                                             \
+    } while (0)
+
+// Every function that takes a cap gives this status for it and stores zeros.
+static void expect_no_cap(const spherecap_cap_t *cap, uint32_t expected) {
+    const spherecap_offset_t offset = {0.0f, 0.0f, 0.5f};
+    const float direction[3] = {1.0f, 0.0f, 0.0f};
+    spherecap_sample_t sample;
+    spherecap_density_t density;
+    float u[2], number;
+    EXPECT_NOTHING(expected, sample, spherecap_sample(cap, 0.5f, 0.5f, &sample));
+    EXPECT_NOTHING(expected, density, spherecap_pdf(cap, &offset, &density));
+    EXPECT_NOTHING(expected, density, spherecap_pdf_direction(cap, direction, &density));
+    EXPECT_NOTHING(expected, density, spherecap_pdf_on_sphere(cap, direction, &density));
+    EXPECT_NOTHING(expected, u, spherecap_invert(cap, &offset, u));
+    EXPECT_NOTHING(expected, number, spherecap_solid_angle(cap, &number));
+    EXPECT_NOTHING(expected, number, spherecap_projected_solid_angle(cap, &number));
+    EXPECT_NOTHING(expected, number, spherecap_density_bound(cap, &number));
+}
+
+static spherecap_cap_t good_cap(uint32_t technique, uint32_t hemispheres, float defensive) {
+    spherecap_cap_t cap;
+    fill_with_rubbish(&cap, sizeof cap);
+    CHECK(meet(spherecap_prepare(technique, hemispheres, defensive, zenith, ahead, 1.0f, &cap)) ==
+          SPHERECAP_STATUS_OK);
+    return cap;
+}
+
+static void good_input(void) {
+    CHECK(spherecap_abi_version() == SPHERECAP_ABI);
+    CHECK(strchr(spherecap_version(), '.') != NULL);
+
+    for (uint32_t technique = SPHERECAP_TECHNIQUE_SOLID_ANGLE; technique <= SPHERECAP_TECHNIQUE_PROJECTED;
+         ++technique) {
+        for (uint32_t both = SPHERECAP_HEMISPHERES_FRONT; both <= SPHERECAP_HEMISPHERES_BOTH; ++both) {
+            for (int eighths = 0; eighths <= 8; ++eighths) {
+                const spherecap_cap_t cap = good_cap(technique, both, (float)eighths / 8.0f);
+                float solid_angle, projected_solid_angle, bound;
+                CHECK(spherecap_solid_angle(&cap, &solid_angle) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_projected_solid_angle(&cap, &projected_solid_angle) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_density_bound(&cap, &bound) == SPHERECAP_STATUS_OK);
+                CHECK(0.0f < projected_solid_angle && projected_solid_angle < solid_angle &&
+                      solid_angle < 6.2f);
+                CHECK(bound >= 1.0f);
+
+                spherecap_sample_t sample;
+                CHECK(spherecap_sample(&cap, 0.25f, 1.0f, &sample) == SPHERECAP_STATUS_OK);
+                CHECK(2.0f < sample.distance && sample.distance < 3.1f);
+                spherecap_density_t density;
+                CHECK(spherecap_pdf(&cap, &sample.offset, &density) == SPHERECAP_STATUS_OK);
+                CHECK(memcmp(&density, &sample.density, sizeof density) == 0);
+                CHECK(density.solid_angle > 0.0f && density.projected_solid_angle > 0.0f);
+                CHECK(spherecap_pdf_direction(&cap, sample.direction, &density) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_pdf_on_sphere(&cap, sample.direction, &density) == SPHERECAP_STATUS_OK);
+                CHECK(density.solid_angle > 0.0f);
+                float u[2];
+                CHECK(spherecap_invert(&cap, &sample.offset, u) == SPHERECAP_STATUS_OK);
+                CHECK(0.0f <= u[0] && u[0] <= 1.0f && 0.0f <= u[1] && u[1] <= 1.0f);
+            }
+        }
+    }
+    // A cap is plain data: a copy is as good.
+    const spherecap_cap_t cap = good_cap(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f);
+    const spherecap_cap_t copy = cap;
+    spherecap_sample_t a, b;
+    CHECK(spherecap_sample(&cap, 0.3f, 0.7f, &a) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_sample(&copy, 0.3f, 0.7f, &b) == SPHERECAP_STATUS_OK);
+    CHECK(memcmp(&a, &b, sizeof a) == 0);
+}
+
+static void expect_refused(uint32_t technique, uint32_t hemispheres, float defensive, const float *normal,
+                           const float *centre, float radius, uint32_t expected) {
+    spherecap_cap_t cap;
+    fill_with_rubbish(&cap, sizeof cap);
+    CHECK(meet(spherecap_prepare(technique, hemispheres, defensive, normal, centre, radius, &cap)) ==
+          expected);
+    expect_no_cap(&cap, expected);
+}
+
+static void bad_input_to_prepare(void) {
+    const uint32_t projected = SPHERECAP_TECHNIQUE_PROJECTED, front = SPHERECAP_HEMISPHERES_FRONT;
+    const uint32_t no_enumerator[] = {3, 4, 255, 0x7fffffff, 0x80000000, UINT32_MAX};
+    for (size_t i = 0; i < sizeof no_enumerator / sizeof *no_enumerator; ++i) {
+        expect_refused(no_enumerator[i], front, 0.0f, zenith, ahead, 1.0f, SPHERECAP_STATUS_TECHNIQUE);
+        expect_refused(projected, no_enumerator[i], 0.0f, zenith, ahead, 1.0f, SPHERECAP_STATUS_HEMISPHERES);
+    }
+    expect_refused(projected, 2, 0.0f, zenith, ahead, 1.0f, SPHERECAP_STATUS_HEMISPHERES);
+
+    const float no_fraction[] = {NAN, INFINITY, -INFINITY, -SMALLEST, 1.0f + FLT_EPSILON, FLT_MAX};
+    for (size_t i = 0; i < sizeof no_fraction / sizeof *no_fraction; ++i) {
+        expect_refused(projected, front, no_fraction[i], zenith, ahead, 1.0f, SPHERECAP_STATUS_DEFENSIVE);
+    }
+
+    // 0.001 is the tolerance that the header states.
+    const float no_length[] = {NAN, INFINITY, -INFINITY, SMALLEST, FLT_MIN, 0.9989f, 1.0011f, -2.0f, FLT_MAX};
+    for (size_t i = 0; i < sizeof no_length / sizeof *no_length; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            float normal[3] = {0.0f, 0.0f, 0.0f};
+            normal[axis] = no_length[i];
+            expect_refused(projected, front, 0.0f, normal, ahead, 1.0f, SPHERECAP_STATUS_NORMAL);
+        }
+    }
+
+    const float no_radius[] = {NAN, INFINITY, -INFINITY, -1.0f, -SMALLEST, -0.0f, 0.0f};
+    for (size_t i = 0; i < sizeof no_radius / sizeof *no_radius; ++i) {
+        expect_refused(projected, front, 0.0f, zenith, ahead, no_radius[i], SPHERECAP_STATUS_RADIUS);
+    }
+
+    const float not_finite[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 3; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            float centre[3] = {3.0f, 0.0f, 0.5f};
+            centre[axis] = not_finite[i];
+            expect_refused(projected, front, 0.0f, zenith, centre, 1.0f, SPHERECAP_STATUS_CENTRE);
+        }
+    }
+    const float at_the_point[3] = {0.0f, -0.0f, 0.0f};
+    expect_refused(projected, front, 0.0f, zenith, at_the_point, 1.0f, SPHERECAP_STATUS_CENTRE);
+
+    expect_refused(projected, front, 0.0f, NULL, ahead, 1.0f, SPHERECAP_STATUS_NULL_POINTER);
+    expect_refused(projected, front, 0.0f, zenith, NULL, 1.0f, SPHERECAP_STATUS_NULL_POINTER);
+    CHECK(meet(spherecap_prepare(projected, front, 0.0f, zenith, ahead, 1.0f, NULL)) ==
+          SPHERECAP_STATUS_NULL_POINTER);
+}
+
+// Valid input that lights nothing, and its limits: lengths from the smallest to the largest number.
+static void valid_input_to_prepare(void) {
+    const uint32_t projected = SPHERECAP_TECHNIQUE_PROJECTED, solid_angle = SPHERECAP_TECHNIQUE_SOLID_ANGLE;
+    const uint32_t front = SPHERECAP_HEMISPHERES_FRONT, both = SPHERECAP_HEMISPHERES_BOTH;
+    const float lengths[] = {4.0f * SMALLEST, FLT_MIN, 1.0f, FLT_MAX};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; ++i) {
+        const float d = lengths[i];
+        const float above[3] = {0.0f, 0.0f, d}, below[3] = {0.0f, 0.0f, -d};
+        spherecap_cap_t cap;
+        CHECK(spherecap_prepare(projected, front, 0.0f, zenith, above, d / 2.0f, &cap) ==
+              SPHERECAP_STATUS_OK);
+        spherecap_sample_t sample;
+        CHECK(spherecap_sample(&cap, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_OK);
+        CHECK(d / 2.0f <= sample.distance && sample.distance <= d);
+
+        expect_refused(projected, front, 0.0f, zenith, above, d, SPHERECAP_STATUS_INSIDE);
+        expect_refused(projected, front, 0.0f, zenith, above, FLT_MAX, SPHERECAP_STATUS_INSIDE);
+        expect_refused(projected, front, 0.0f, zenith, below, d / 2.0f, SPHERECAP_STATUS_INVISIBLE);
+        // What the horizon hides is there for the techniques that sample it.
+        CHECK(spherecap_prepare(projected, both, 0.0f, zenith, below, d / 2.0f, &cap) == SPHERECAP_STATUS_OK);
+        CHECK(spherecap_prepare(projected, front, 0.5f, zenith, below, d / 2.0f, &cap) ==
+              SPHERECAP_STATUS_OK);
+        CHECK(spherecap_prepare(solid_angle, front, 0.0f, zenith, below, d / 2.0f, &cap) ==
+              SPHERECAP_STATUS_OK);
+    }
+    // Too small for any density to be a number.
+    expect_refused(projected, front, 0.0f, zenith, ahead, SMALLEST, SPHERECAP_STATUS_INVISIBLE);
+    expect_refused(solid_angle, front, 0.0f, zenith, ahead, SMALLEST, SPHERECAP_STATUS_INVISIBLE);
+
+    // No surface: every technique samples by solid angle, and nothing has a cosine.
+    const float none[3] = {0.0f, -0.0f, 0.0f};
+    for (uint32_t technique = solid_angle; technique <= projected; ++technique) {
+        spherecap_cap_t cap;
+        spherecap_sample_t sample;
+        CHECK(spherecap_prepare(technique, front, 0.0f, none, ahead, 1.0f, &cap) == SPHERECAP_STATUS_OK);
+        CHECK(spherecap_sample(&cap, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_OK);
+        CHECK(sample.density.solid_angle > 0.0f && sample.offset.cosine == 0.0f);
+    }
+    // As long or as short as a normal may be.
+    for (int i = -1; i <= 1; i += 2) {
+        const float normal[3] = {0.0f, 0.0f, 1.0f + 0.0009f * (float)i};
+        spherecap_cap_t cap;
+        CHECK(spherecap_prepare(projected, front, 0.0f, normal, ahead, 1.0f, &cap) == SPHERECAP_STATUS_OK);
+    }
+}
+
+static void bad_input_to_the_others(void) {
+    const spherecap_cap_t cap = good_cap(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f);
+    const spherecap_offset_t centre = {0.0f, 0.0f, 0.5f};
+    const float direction[3] = {1.0f, 0.0f, 0.0f};
+    spherecap_sample_t sample;
+    spherecap_density_t density;
+    float u[2];
+
+    const float no_random_number[] = {NAN, INFINITY, -INFINITY, -SMALLEST, 1.0f + FLT_EPSILON, FLT_MAX};
+    for (size_t i = 0; i < sizeof no_random_number / sizeof *no_random_number; ++i) {
+        const float bad = no_random_number[i];
+        EXPECT_NOTHING(SPHERECAP_STATUS_RANDOM_NUMBER, sample, spherecap_sample(&cap, bad, 0.5f, &sample));
+        EXPECT_NOTHING(SPHERECAP_STATUS_RANDOM_NUMBER, sample, spherecap_sample(&cap, 0.5f, bad, &sample));
+    }
+    const float ends[] = {0.0f, -0.0f, SMALLEST, 1.0f - FLT_EPSILON / 2.0f, 1.0f};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; ++i) {
+        for (size_t j = 0; j < sizeof ends / sizeof *ends; ++j) {
+            CHECK(spherecap_sample(&cap, ends[i], ends[j], &sample) == SPHERECAP_STATUS_OK);
+            CHECK(sample.density.solid_angle > 0.0f);
+        }
+    }
+
+    const float not_finite[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 3; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            float v[3] = {1.0f, 0.0f, 0.0f};
+            v[axis] = not_finite[i];
+            const spherecap_offset_t offset = {v[0], v[1], v[2]};
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf(&cap, &offset, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf_direction(&cap, v, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf_on_sphere(&cap, v, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, u, spherecap_invert(&cap, &offset, u));
+        }
+    }
+
+    // 0.001 is the tolerance that the header states, of lengths and so of components.
+    const float no_length[] = {0.0f, SMALLEST, 0.9989f, 1.0011f, -2.0f, FLT_MAX};
+    for (size_t i = 0; i < sizeof no_length / sizeof *no_length; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            float v[3] = {0.0f, 0.0f, 0.0f};
+            v[axis] = no_length[i];
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf_direction(&cap, v, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf_on_sphere(&cap, v, &density));
+            if (fabsf(v[axis]) > 1.0f) {
+                const spherecap_offset_t offset = {v[0], v[1], v[2]};
+                EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf(&cap, &offset, &density));
+                EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, u, spherecap_invert(&cap, &offset, u));
+            }
+        }
+    }
+
+    // Inputs that are NULL, one at a time.
+    const uint32_t null = SPHERECAP_STATUS_NULL_POINTER;
+    expect_no_cap(NULL, null);
+    EXPECT_NOTHING(null, density, spherecap_pdf(&cap, NULL, &density));
+    EXPECT_NOTHING(null, density, spherecap_pdf_direction(&cap, NULL, &density));
+    EXPECT_NOTHING(null, density, spherecap_pdf_on_sphere(&cap, NULL, &density));
+    EXPECT_NOTHING(null, u, spherecap_invert(&cap, NULL, u));
+    // Outputs that are.
+    CHECK(spherecap_sample(&cap, 0.5f, 0.5f, NULL) == null);
+    CHECK(spherecap_pdf(&cap, &centre, NULL) == null);
+    CHECK(spherecap_pdf_direction(&cap, direction, NULL) == null);
+    CHECK(spherecap_pdf_on_sphere(&cap, direction, NULL) == null);
+    CHECK(spherecap_invert(&cap, &centre, NULL) == null);
+    CHECK(spherecap_solid_angle(&cap, NULL) == null);
+    CHECK(spherecap_projected_solid_angle(&cap, NULL) == null);
+    CHECK(spherecap_density_bound(&cap, NULL) == null);
+}
+
+static void caps_that_were_never_prepared(void) {
+    const int patterns[] = {0x00, 0xff, 0xa5, 0x7f};
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; ++i) {
+        spherecap_cap_t cap;
+        memset(&cap, patterns[i], sizeof cap);
+        expect_no_cap(&cap, SPHERECAP_STATUS_CAP);
+    }
+    // Overwritten ones are noticed by their first four words, which hold what must not be trusted.
+    for (int word = 0; word < 4; ++word) {
+        const uint32_t overwritten[] = {64, 0x80000000, UINT32_MAX};
+        for (int i = 0; i < 3; ++i) {
+            spherecap_cap_t cap = good_cap(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_BOTH, 0.5f);
+            cap.words[word] = overwritten[i];
+            expect_no_cap(&cap, SPHERECAP_STATUS_CAP);
+        }
+    }
+}
+
+static void messages(void) {
+    const char *no_status = spherecap_status_message(UINT32_MAX);
+    for (uint32_t status = 0; status < sizeof met / sizeof *met; ++status) {
+        const char *message = spherecap_status_message(status);
+        CHECK(message != NULL && strlen(message) > 0);
+        // A status that was met has words of its own, and every other number those for no status.
+        CHECK(met[status] == (strcmp(message, no_status) != 0));
+        for (uint32_t other = 0; other < status; ++other) {
+            CHECK(!met[status] || strcmp(message, spherecap_status_message(other)) != 0);
+        }
+        if (met[status]) {
+            printf("%u %s\n", (unsigned)status, message);
+        }
+    }
+}
+
+int main(void) {
+    good_input();
+    bad_input_to_prepare();
+    valid_input_to_prepare();
+    bad_input_to_the_others();
+    caps_that_were_never_prepared();
+    messages();
+    return 0;
+}

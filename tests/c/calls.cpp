@@ -1,0 +1,91 @@
+// Calls every function from C++17, and from two threads at once: a cap may be shared, and nothing else is.
+
+#include "spherecap.h" // first, so that it must be self-contained
+
+#include "check.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+// Plain data, as the header says: on the stack, in arrays, copied as bytes.
+static_assert(std::is_trivial_v<spherecap_cap_t> && std::is_standard_layout_v<spherecap_cap_t>);
+static_assert(std::is_trivial_v<spherecap_sample_t> && std::is_standard_layout_v<spherecap_sample_t>);
+static_assert(std::is_trivial_v<spherecap_offset_t> && std::is_standard_layout_v<spherecap_offset_t>);
+static_assert(std::is_trivial_v<spherecap_density_t> && std::is_standard_layout_v<spherecap_density_t>);
+
+namespace {
+
+constexpr std::array<float, 3> zenith{0.0f, 0.0f, 1.0f};
+constexpr std::array<float, 3> ahead{3.0f, 0.0f, 0.5f};
+
+spherecap_cap_t prepare(uint32_t technique, float radius) {
+    spherecap_cap_t cap;
+    CHECK(spherecap_prepare(technique, SPHERECAP_HEMISPHERES_BOTH, 0.125f, zenith.data(), ahead.data(),
+                            radius, &cap) == SPHERECAP_STATUS_OK);
+    return cap;
+}
+
+void call_everything() {
+    CHECK(spherecap_abi_version() == SPHERECAP_ABI);
+    CHECK(std::string_view(spherecap_version()).find('.') != std::string_view::npos);
+    CHECK(std::string_view(spherecap_status_message(SPHERECAP_STATUS_OK)) == "success");
+
+    const spherecap_cap_t cap = prepare(SPHERECAP_TECHNIQUE_PROJECTED, 1.0f);
+    spherecap_sample_t sample;
+    CHECK(spherecap_sample(&cap, 0.25f, 0.75f, &sample) == SPHERECAP_STATUS_OK);
+    spherecap_density_t density;
+    CHECK(spherecap_pdf(&cap, &sample.offset, &density) == SPHERECAP_STATUS_OK);
+    CHECK(std::memcmp(&density, &sample.density, sizeof density) == 0);
+    CHECK(spherecap_pdf_direction(&cap, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_pdf_on_sphere(&cap, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    CHECK(density.solid_angle > 0.0f);
+    std::array<float, 2> u;
+    CHECK(spherecap_invert(&cap, &sample.offset, u.data()) == SPHERECAP_STATUS_OK);
+    float solid_angle, projected_solid_angle, bound;
+    CHECK(spherecap_solid_angle(&cap, &solid_angle) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_projected_solid_angle(&cap, &projected_solid_angle) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_density_bound(&cap, &bound) == SPHERECAP_STATUS_OK);
+    CHECK(projected_solid_angle < solid_angle && bound >= 1.0f);
+
+    CHECK(spherecap_sample(&cap, std::nanf(""), 0.5f, &sample) == SPHERECAP_STATUS_RANDOM_NUMBER);
+    CHECK(sample.density.solid_angle == 0.0f);
+    CHECK(spherecap_sample(nullptr, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_NULL_POINTER);
+}
+
+// Samples of a shared cap and of caps of its own.
+std::vector<spherecap_sample_t> samples(const spherecap_cap_t &shared) {
+    constexpr int count = 20000;
+    std::vector<spherecap_sample_t> all(2 * count);
+    for (int i = 0; i < count; ++i) {
+        const float u = static_cast<float>(i) / count;
+        const spherecap_cap_t own = prepare(static_cast<uint32_t>(i % 3), 0.5f + u);
+        CHECK(spherecap_sample(&shared, u, 1.0f - u, &all[2 * i]) == SPHERECAP_STATUS_OK);
+        CHECK(spherecap_sample(&own, u, 1.0f - u, &all[2 * i + 1]) == SPHERECAP_STATUS_OK);
+    }
+    return all;
+}
+
+void call_from_two_threads() {
+    const spherecap_cap_t shared = prepare(SPHERECAP_TECHNIQUE_PROJECTED, 1.0f);
+    std::vector<spherecap_sample_t> first, second;
+    std::thread a([&] { first = samples(shared); });
+    std::thread b([&] { second = samples(shared); });
+    a.join();
+    b.join();
+    const std::vector<spherecap_sample_t> alone = samples(shared);
+    const std::size_t size = alone.size() * sizeof alone[0];
+    CHECK(std::memcmp(first.data(), alone.data(), size) == 0);
+    CHECK(std::memcmp(second.data(), alone.data(), size) == 0);
+}
+
+} // namespace
+
+int main() {
+    call_everything();
+    call_from_two_threads();
+}

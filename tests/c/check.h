@@ -1,0 +1,44 @@
+// What the C and C++ test programs share: a check that stops the program, and memory that the library cannot
+// leave.
+
+#ifndef CHECK_H
+#define CHECK_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#define CHECK(condition)                                                                                     \
+    do {                                                                                                     \
+        if (!(condition)) {                                                                                  \
+            fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #condition);                          \
+            exit(1);                                                                                         \
+        }                                                                                                    \
+    } while (0)
+
+static inline void fill_with_rubbish(void *memory, size_t size) { memset(memory, 0xa5, size); }
+
+static inline int is_all_zero(const void *memory, size_t size) {
+    const unsigned char *bytes = (const unsigned char *)memory;
+    for (size_t i = 0; i < size; ++i) {
+        if (bytes[i] != 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+// Memory that ends where an inaccessible page begins. The sanitizers watch only what they compiled, which the
+// library is not: here the processor stops it at the first byte that it reads or writes past the end.
+static inline void *guarded_memory(size_t size) {
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    CHECK(size <= page);
+    char *pages = (char *)mmap(NULL, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    CHECK(pages != (char *)MAP_FAILED);
+    CHECK(mprotect(pages + page, page, PROT_NONE) == 0);
+    return pages + page - size;
+}
+
+#endif

@@ -1,0 +1,256 @@
+//! What holds for every sample, over every technique, mixture, case and hard corner, in f32 and f64.
+
+mod common;
+
+use common::{dot, hard_scenes, lanes, oblique, strategies, Random, Scene, RADII};
+use spherecap::{Hemispheres, Refusal, Sample, Sampler, Scalar, Strategy, Technique};
+
+/// Random numbers, and the corners of the unit square: both ends, and the last number below one.
+fn numbers<F: Scalar>(random: &mut Random) -> Vec<[F; 2]> {
+    let below_one = 1.0 - 0.5 * F::EPSILON;
+    let ends = [0.0, 1e-30, 0.5 * F::EPSILON, 0.5, below_one, 1.0];
+    let mut numbers: Vec<[f64; 2]> = ends.iter().flat_map(|&a| ends.map(|b| [a, b])).collect();
+    numbers.extend((0..200).map(|_| [random.unit(), random.unit()]));
+    numbers.into_iter().map(|pair| pair.map(F::lit)).collect()
+}
+
+fn each_sample<F: Scalar>(check: impl Fn(&Scene, Strategy<F>, &Sampler<F>, [F; 2], Sample<F>)) {
+    let mut random = Random(11);
+    let mut count = 0;
+    for strategy in strategies::<F>() {
+        let mut scenes = hard_scenes(&mut random);
+        scenes.extend(RADII.map(|s| Scene { normal: [0.0; 3], ..oblique(&mut random, s, 0.3 * s) }));
+        for mut scene in scenes {
+            if F::SIGNIFICAND_BITS > 23 {
+                // A normal of f32 precision is not of unit length to f64 precision.
+                let length = dot(scene.normal, scene.normal).sqrt().max(F::MIN_POSITIVE);
+                scene.normal = scene.normal.map(|x| x / length);
+            }
+            let radius = F::lit(scene.radius);
+            match Sampler::prepare(strategy, lanes::<F>(scene.normal), lanes(scene.centre), radius) {
+                Err(Refusal::Invisible) => {}
+                Err(refusal) => panic!("{strategy:?} {scene:?}: {refusal}"),
+                Ok(sampler) => {
+                    for u in numbers(&mut random) {
+                        check(&scene, strategy, &sampler, u, sampler.sample(u[0], u[1]));
+                        count += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(count > 200_000, "only {count} samples were checked");
+}
+
+macro_rules! in_both_precisions {
+    ($($name:ident)*) => {$(
+        mod $name {
+            #[test]
+            fn in_single_precision() {
+                super::$name::<f32>();
+            }
+            #[test]
+            fn in_double_precision() {
+                super::$name::<f64>();
+            }
+        }
+    )*};
+}
+in_both_precisions!(
+    the_pdf_of_a_sample_is_the_one_it_reports
+    samples_lie_in_the_cap_and_above_the_horizon
+    samples_are_where_their_ray_meets_the_sphere
+    inverting_a_sample_gives_its_numbers
+    sampling_the_inverse_gives_the_sample
+    no_unit_of_length_is_preferred
+);
+
+/// Bit for bit; and a density is finite and positive wherever a sample can fall.
+fn the_pdf_of_a_sample_is_the_one_it_reports<F: Scalar>() {
+    each_sample::<F>(|scene, strategy, sampler, u, sample| {
+        let asked = sampler.pdf(sample.offset);
+        assert!(asked == sample.density, "{strategy:?} {scene:?} {u:?}: {asked:?} is not {sample:?}");
+        assert!(sampler.pdf_on_sphere(sample.offset) == sample.density, "{strategy:?} {scene:?} {u:?}");
+        for density in [sample.density.solid_angle, sample.density.projected_solid_angle] {
+            let density: f64 = density.into();
+            assert!(density > 0.0 && density <= F::MAX, "{strategy:?} {scene:?} {u:?}: {sample:?}");
+        }
+    });
+}
+
+/// In units of the cap's radius: 1e-6 in f32; in f64 1e-14, ten times the error of the fits.
+fn samples_lie_in_the_cap_and_above_the_horizon<F: Scalar>() {
+    each_sample::<F>(|scene, strategy, _, u, sample| {
+        let [zenith, side, cosine]: [f64; 3] =
+            [sample.offset.zenith.into(), sample.offset.side.into(), sample.offset.cosine.into()];
+        let s = scene.radius / dot(scene.centre, scene.centre).sqrt();
+        let beyond = zenith.hypot(side) / s - 1.0;
+        assert!(
+            beyond < (8.0 * F::EPSILON).max(1e-14),
+            "{strategy:?} {scene:?} {u:?}: {beyond:e} radii outside the cap"
+        );
+        let covers_below = strategy.technique == Technique::SolidAngle
+            || strategy.hemispheres == Hemispheres::Both
+            || strategy.defensive > F::lit(0.0)
+            || scene.normal == [0.0; 3];
+        assert!(
+            covers_below || cosine > 0.0,
+            "{strategy:?} {scene:?} {u:?}: {sample:?} is below the horizon"
+        );
+        // A vector resolves one epsilon of its length, and the frame adds a few; next to the sphere, where the component
+        // towards the centre is down to v, it comes out of a sine that leaves it epsilon / v. And a normal of a length
+        // that is not quite 1 has not quite one meaning.
+        let direction = <[F; 3]>::from(sample.direction).map(Into::into);
+        let error = (dot(direction, scene.normal) - cosine).abs();
+        let length = if scene.normal == [0.0; 3] { 1.0 } else { dot(scene.normal, scene.normal).sqrt() };
+        let bound =
+            8.0 * F::EPSILON + 4.0 * F::EPSILON / (1.0 - s * s).sqrt() + 2.0 * s * (length - 1.0).abs();
+        assert!(error < bound, "{strategy:?} {scene:?} {u:?}: the cosine is off by {error:e}");
+    });
+}
+
+/// Point + distance * direction and centre + radius * normal are one point, within a few roundings of the distance to the
+/// centre; the normal looks back at the shading point.
+fn samples_are_where_their_ray_meets_the_sphere<F: Scalar>() {
+    each_sample::<F>(|scene, strategy, _, u, sample| {
+        let direction: [f64; 3] = <[F; 3]>::from(sample.direction).map(Into::into);
+        let normal: [f64; 3] = <[F; 3]>::from(sample.normal).map(Into::into);
+        let distance: f64 = sample.distance.into();
+        let d = dot(scene.centre, scene.centre).sqrt();
+        // At the limb of a sphere nearly touched, components of the size of v come out of sines near 1.
+        let s = scene.radius / d;
+        let at_limb = F::EPSILON / ((1.0 - s) * (1.0 + s)).sqrt();
+        for v in [direction, normal] {
+            let length = dot(v, v).sqrt();
+            assert!(
+                (length - 1.0).abs() < 16.0 * F::EPSILON,
+                "{strategy:?} {scene:?} {u:?}: length {length}"
+            );
+        }
+        for i in 0..3 {
+            let error = (distance * direction[i] - scene.centre[i] - scene.radius * normal[i]).abs() / d;
+            assert!(
+                error < 16.0 * F::EPSILON + 4.0 * at_limb,
+                "{strategy:?} {scene:?} {u:?}: the points differ by {error:e} of the distance"
+            );
+        }
+        assert!(
+            dot(direction, normal) < 16.0 * F::EPSILON + 4.0 * at_limb,
+            "{strategy:?} {scene:?} {u:?}: {sample:?}"
+        );
+    });
+}
+
+fn is_at_end<F: Scalar>(u: [F; 2]) -> bool {
+    u.iter().any(|&u| u < F::lit(1e-3) || u > F::lit(1.0 - 1e-3))
+}
+
+/// To 1e-5 in f32, but for what the offset itself cannot tell: towards the ends of the disk, at a height of u0^(2/3), chords
+/// get short and their length is known to epsilon over the height; and next to the sphere a rounded sine leaves the cosines
+/// at the limb epsilon / v.
+fn inverting_a_sample_gives_its_numbers<F: Scalar>() {
+    each_sample::<F>(|scene, strategy, sampler, u, sample| {
+        // Two parts of a defensive mixture give one direction, and only one of them is named; in that of both sides the ends
+        // of the parts are anywhere.
+        if strategy.defensive > F::lit(0.0) || strategy.hemispheres == Hemispheres::Both || is_at_end(u) {
+            return;
+        }
+        let s = scene.radius / dot(scene.centre, scene.centre).sqrt();
+        let u: [f64; 2] = u.map(Into::into);
+        let height = u[0].min(1.0 - u[0]).cbrt().powi(2);
+        let bound = 80.0 * F::EPSILON + (16.0 + 1.0 / (1.0 - s * s).sqrt()) * F::EPSILON / height;
+        let inverse: [f64; 2] = sampler.invert(sample.offset).map(Into::into);
+        for i in 0..2 {
+            let error = (inverse[i] - u[i]).abs();
+            assert!(
+                error < bound,
+                "{strategy:?} {scene:?} {u:?}: inverted to {inverse:?}, allowed {bound:e}"
+            );
+        }
+    });
+}
+
+/// The inverse names a pair of numbers that gives the direction, whichever part of a mixture it came from.
+fn sampling_the_inverse_gives_the_sample<F: Scalar>() {
+    each_sample::<F>(|scene, strategy, sampler, u, sample| {
+        // Of a defensive sample outside the projected part's reach no number is named; at the ends parts of the map meet.
+        let is_defensive = strategy.defensive > F::lit(0.0) && strategy.technique != Technique::SolidAngle;
+        if is_defensive || is_at_end(u) {
+            return;
+        }
+        let [u0, u1] = sampler.invert(sample.offset);
+        let again = sampler.sample(u0, u1).offset;
+        let s = scene.radius / dot(scene.centre, scene.centre).sqrt();
+        let difference = |a: F, b: F| -> f64 { <F as Into<f64>>::into(a) - <F as Into<f64>>::into(b) };
+        let error = difference(again.zenith, sample.offset.zenith)
+            .hypot(difference(again.side, sample.offset.side))
+            / s;
+        // Numbers are known to epsilon. Directions vary fastest with u0 at the crescent's corner, as its cube root.
+        let bound = if strategy.hemispheres == Hemispheres::Both {
+            F::EPSILON.cbrt()
+        } else {
+            80.0 * F::EPSILON + 16.0 * F::EPSILON / (1.0 - s * s).sqrt()
+        };
+        assert!(
+            error < bound,
+            "{strategy:?} {scene:?} {u:?}: sampled again {error:e} radii away, allowed {bound:e}"
+        );
+    });
+}
+
+/// A power of two as unit of length changes no bit of a direction, over the range of the type.
+fn no_unit_of_length_is_preferred<F: Scalar>() {
+    let mut random = Random(12);
+    let largest: f64 = if F::SIGNIFICAND_BITS == 23 { 100.0 } else { 900.0 };
+    for scene in hard_scenes(&mut random) {
+        let Ok(sampler) = Sampler::prepare(
+            Strategy::default(),
+            lanes::<F>(scene.normal),
+            lanes(scene.centre),
+            F::lit(scene.radius),
+        ) else {
+            continue;
+        };
+        for exponent in [-0.9 * largest, -60.0, 60.0, largest] {
+            let unit = exponent.round().exp2();
+            let radius = scene.radius * unit;
+            // Only normal numbers scale without rounding.
+            let is_exact = |x: f64| x == 0.0 || F::lit(x).into() == x && x.abs() >= F::MIN_POSITIVE;
+            if !(is_exact(radius) && scene.centre.iter().all(|x| is_exact(x * unit))) {
+                continue;
+            }
+            let scaled = Sampler::prepare(
+                Strategy::default(),
+                lanes::<F>(scene.normal),
+                lanes(scene.centre.map(|x| x * unit)),
+                F::lit(radius),
+            )
+            .unwrap_or_else(|refusal| panic!("{scene:?} times {unit:e}: {refusal}"));
+            for u in numbers(&mut random) {
+                let (a, b) = (sampler.sample(u[0], u[1]), scaled.sample(u[0], u[1]));
+                assert!(a.offset == b.offset && a.density == b.density, "{scene:?} times {unit:e}, {u:?}");
+                assert!(a.distance * F::lit(unit) == b.distance, "{scene:?} times {unit:e}, {u:?}");
+            }
+        }
+    }
+}
+
+/// A point inside or on the sphere has its own refusal, however close to the surface.
+#[test]
+fn points_inside_are_refused() {
+    let mut random = Random(13);
+    for factor in [0.0_f32, 0.5, 1.0 - f32::EPSILON, 1.0] {
+        for _ in 0..100 {
+            let centre = random.direction().map(|x| x as f32 * factor);
+            let length2: f64 = centre.iter().map(|&x| f64::from(x) * f64::from(x)).sum();
+            let radius = length2.sqrt() as f32;
+            if f64::from(radius).powi(2) < length2 {
+                continue;
+            }
+            let radius = if factor == 0.0 { 1.0 } else { radius };
+            let refusal = Sampler::prepare(Strategy::default(), [0.0, 0.0, 1.0], centre, radius).err();
+            let expected = if factor == 0.0 { Refusal::Centre } else { Refusal::Inside };
+            assert_eq!(refusal, Some(expected), "{centre:?} {radius}");
+        }
+    }
+}
