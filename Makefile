@@ -14,7 +14,7 @@ VARIANT ?= scalar_rgb
 SPP ?= 16
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-rust test-python lint format build header fits clean FORCE
+.PHONY: help demo test test-rust test-python lint format build header fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -64,6 +64,9 @@ header: ## Remake include/spherecap.h from src/ffi.rs.
 
 fits: $(VENV)/installed ## Remake the fitted constants in src/fits.rs.
 	$(BIN)/python -m fits
+
+picture: build ## Remake the picture of the README.
+	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene cut_light --spp 4 --width 160 --picture docs/cut_light.png
 
 clean: ## Remove all that was built, rendered and installed here.
 	rm -rf target build out $(VENV) mitsuba_plugin/spherecap/plugins

@@ -49,3 +49,8 @@ pub use offset::Offset;
 pub use prepare::{Refusal, Scalar, UNIT_TOLERANCE};
 pub use sampling::{density_bound_for_radius, Density, Hemispheres, Sample, Sampler, Strategy, Technique};
 pub use vec3::Vec3;
+
+/// The README's example is a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -7,6 +7,7 @@ import argparse
 import sys
 import time
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 from renderlab.estimate import error_scale, relative_mse
@@ -58,6 +59,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument(
         "--width", type=int, default=256, help="pixels; height is 3/4 of it (default: %(default)s)"
     )
+    parser.add_argument("--picture", type=Path, help="file for the picture (default: in out/demo)")
     chosen = parser.parse_args()
     if chosen.spp < 1 or chosen.width < 16:
         parser.error("--spp must be at least 1 and --width at least 16")
@@ -87,7 +89,7 @@ def table(results: list[Result]) -> str:
     return "\n".join(lines)
 
 
-def compare(scene: str, variant: str, spp: int, width: int) -> None:
+def compare(scene: str, variant: str, spp: int, width: int, picture: Path | None) -> None:
     """Run the whole comparison."""
     scene_file(scene)  # Before anything slow: is there such a scene, variant, plugin?
     use_variant(variant)
@@ -118,7 +120,7 @@ def compare(scene: str, variant: str, spp: int, width: int) -> None:
     ]
     title = f"{scene}: {spp} samples per pixel, {width} x {height}, {variant}"
     print(f"\n{title}; reference: {truth.origin}\n{table(results)}")
-    path = OUTPUT / "demo" / f"{scene}-{spp}spp-{variant}.png"
+    path = picture or OUTPUT / "demo" / f"{scene}-{spp}spp-{variant}.png"
     panels = [Panel(one.image, f"{one.technique}   (relative RMSE {one.rmse:.3g})") for one in results]
     save_comparison(path, title, panels, Panel(truth.image, f"reference ({truth.origin})"))
     print(f"picture: {path}")
@@ -128,7 +130,7 @@ def main() -> None:
     """Run, and turn mistakes that the user can put right into one line."""
     chosen = arguments()
     try:
-        compare(chosen.scene, chosen.variant, chosen.spp, chosen.width)
+        compare(chosen.scene, chosen.variant, chosen.spp, chosen.width, chosen.picture)
     except LabError as error:
         sys.exit(f"demo: {error}")
 
