@@ -25,7 +25,7 @@ demo: build ## Render SCENE with `area` and with `spherecap`; print a table, sav
 test: lint test-rust test-python ## Run all tests.
 
 test-rust: ## The library and its C ABI.
-	cargo test --release --locked
+	cargo test --release --locked -- --show-output
 
 test-python: build ## The fits, the plugin and the renders.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python -m pytest tests
