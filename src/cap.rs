@@ -38,6 +38,8 @@ use core::f64::consts::PI;
 pub struct Cap<L> {
     /// Unit vectors: towards the centre; across it, towards the zenith; sideways. A right-handed frame.
     pub(crate) frame: [Vec3<L>; 3],
+    /// The surface's normal.
+    pub(crate) normal: Vec3<L>,
     /// Distance to the centre, in the caller's unit of length.
     pub(crate) distance: L,
     /// `s = r/d`, the sine of the cap's angular radius, in (0, 1).
@@ -124,12 +126,15 @@ impl<L: Lane> Cap<L> {
         let sideways = normal.cross(c);
         let sideways2 = sideways.dot(sideways);
         let has_side = L::lit(L::MIN_POSITIVE / L::EPSILON).lt(sideways2);
-        let any_side = Vec3::blend(
-            c.x.abs().lt(c.z.abs()),
-            Vec3::new(L::lit(0.0), -c.z, c.y),
-            Vec3::new(-c.y, c.x, L::lit(0.0)),
+        let side = branch!(
+            has_side,
+            sideways,
+            Vec3::blend(
+                c.x.abs().lt(c.z.abs()),
+                Vec3::new(L::lit(0.0), -c.z, c.y),
+                Vec3::new(-c.y, c.x, L::lit(0.0)),
+            )
         );
-        let side = Vec3::blend(has_side, sideways, any_side);
         let side = side * (lit(1.0) / side.dot(side).sqrt());
         let towards_centre = c * inv_d;
         let frame = [towards_centre, towards_centre.cross(side), side];
@@ -177,6 +182,7 @@ impl<L: Lane> Cap<L> {
         let or_zero = |x: L| L::select(on_surface, x, L::lit(0.0));
         Self {
             frame,
+            normal,
             distance: d / scale,
             radius_sin: s,
             radius_cos: v,

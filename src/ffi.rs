@@ -182,14 +182,18 @@ macro_rules! kernel {
 
 kernel! {
     fn prepare(
-        strategy: Strategy<f32>, normal: [f32; 3], centre: [f32; 3], radius: f32
-    ) -> Result<Sampler<f32>, Refusal> {
-        Sampler::prepare(strategy, normal, centre, radius)
+        strategy: Strategy<f32>, normal: [f32; 3], centre: [f32; 3], radius: f32, out: *mut Prepared
+    ) -> Result<(), Refusal> {
+        let sampler = Sampler::prepare(strategy, normal, centre, radius)?;
+        // Stored here, so that it is not copied.
+        // SAFETY: the caller's pointer is writable.
+        unsafe { out.write(Prepared { seal: SEAL, status: SPHERECAP_STATUS_OK as u32, sampler }) };
+        Ok(())
     }
 }
 kernel! {
-    fn sample(sampler: &Sampler<f32>, u0: f32, u1: f32) -> Sample<f32> {
-        sampler.sample(u0, u1)
+    fn sample(sampler: &Sampler<f32>, u0: f32, u1: f32) -> spherecap_sample_t {
+        sampler.sample(u0, u1).into()
     }
 }
 kernel! {
@@ -397,6 +401,9 @@ pub unsafe extern "C" fn spherecap_prepare(
 ) -> u32 {
     // SAFETY: the header's contract.
     let (normal, centre) = unsafe { (vector(normal), vector(centre)) };
+    if cap.is_null() {
+        return SPHERECAP_STATUS_NULL_POINTER as u32;
+    }
     let result = (|| {
         let (Some(normal), Some(centre)) = (normal, centre) else {
             return Err(SPHERECAP_STATUS_NULL_POINTER);
@@ -404,27 +411,16 @@ pub unsafe extern "C" fn spherecap_prepare(
         let technique = self::technique(technique).ok_or(SPHERECAP_STATUS_TECHNIQUE)?;
         let hemispheres = self::hemispheres(hemispheres).ok_or(SPHERECAP_STATUS_HEMISPHERES)?;
         let strategy = Strategy { technique, hemispheres, defensive };
-        Ok(prepare(strategy, normal, centre, radius)?)
+        // The cap is not NULL, so writable by the header's contract; a `Prepared` fits (asserted above).
+        Ok(prepare(strategy, normal, centre, radius, cap.cast())?)
     })();
-    if cap.is_null() {
-        return SPHERECAP_STATUS_NULL_POINTER as u32;
-    }
-    match result {
-        Ok(sampler) => {
-            let status = SPHERECAP_STATUS_OK as u32;
-            // SAFETY: not NULL, so writable by the header's contract; a `Prepared` fits (asserted above).
-            unsafe { cap.cast::<Prepared>().write(Prepared { seal: SEAL, status, sampler }) };
-            status
-        }
-        Err(status) => {
-            let status = status as u32;
-            // SAFETY: as above.
-            let words = unsafe { &mut (*cap).words };
-            words.fill(0);
-            words[..2].copy_from_slice(&[SEAL, status]);
-            status
-        }
-    }
+    let Err(status) = result else { return SPHERECAP_STATUS_OK as u32 };
+    let status = status as u32;
+    // SAFETY: not NULL, so writable by the header's contract.
+    let words = unsafe { &mut (*cap).words };
+    words.fill(0);
+    words[..2].copy_from_slice(&[SEAL, status]);
+    status
 }
 
 /// Samples a direction towards the sphere with two random numbers in [0, 1], both ends allowed.
@@ -444,7 +440,7 @@ pub unsafe extern "C" fn spherecap_sample(
         if !(unit.contains(&u0) && unit.contains(&u1)) {
             return Err(SPHERECAP_STATUS_RANDOM_NUMBER as u32);
         }
-        Ok(self::sample(sampler, u0, u1).into())
+        Ok(self::sample(sampler, u0, u1))
     });
     // SAFETY: the header's contract.
     unsafe { store(sample, result) }

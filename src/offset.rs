@@ -38,7 +38,7 @@ impl<L: Lane> Cap<L> {
     pub(crate) fn offset(&self, direction: Vec3<L>) -> Offset<L> {
         let [w, b, c] = self.frame;
         let (centre, zenith, side) = (w.dot(direction), b.dot(direction), c.dot(direction));
-        let cosine = self.cosine(centre, zenith);
+        let cosine = self.normal.dot(direction);
         // The offset of the direction's mirror image behind the point would be the same.
         let behind = centre.lt(L::lit(0.0));
         let outside = Offset { zenith: L::lit(1.0), side: L::lit(1.0), cosine };

@@ -77,11 +77,12 @@ impl<L: Lane> Marginal<L> {
         Self { coefficients: [L::lit(0.0); 7] }
     }
 
+    /// The marginal of a crescent that is sampled; of others, nothing.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>) -> Self {
+    pub(super) fn new(cap: &Cap<L>, is_sampled: L::Mask) -> Self {
         let zero = L::lit(0.0);
         let coefficients = branch!(
-            zero.lt(cap.crescent.tau),
+            is_sampled,
             {
                 let c = &cap.crescent;
                 let (one, kappa_1, cut_1) = (L::lit(1.0), lit(1.0) + c.kappa, lit(1.0) + c.cut);
@@ -111,7 +112,7 @@ impl<L: Lane> Marginal<L> {
                     -beta[4],
                 ]
             },
-            [L::lit(1.0), zero, zero, zero, zero, zero, zero]
+            [zero; 7]
         );
         Self { coefficients }
     }

@@ -10,7 +10,7 @@
 
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, shape, square_to_disk};
-use crate::lane::{lit, Lane};
+use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 
 #[derive(Clone, Copy, Debug)]
@@ -33,11 +33,18 @@ impl<L: Lane> Ellipse<L> {
     pub(super) fn new(cap: &Cap<L>) -> Self {
         let zero = L::lit(0.0);
         let c = &cap.crescent;
-        let larger = cap.projected_above.max(cap.projected_below);
-        let share = L::select(zero.lt(larger), c.t_y_cubed() * c.shape / larger, zero);
-        // Sine of half the angle that the horizon cuts off the boundary circle.
-        let half_sine = L::select(zero.lt(c.tau), c.tau / cap.elevation_cos, zero);
-        Self { crescent_share: share, beyond: half_sine * half_sine * half_sine * shape(c.cut) }
+        let [crescent_share, beyond] = branch!(
+            zero.lt(c.tau),
+            {
+                let larger = cap.projected_above.max(cap.projected_below);
+                let share = L::select(zero.lt(larger), c.t_y_cubed() * c.shape / larger, zero);
+                // Sine of half the angle that the horizon cuts off the boundary circle.
+                let half_sine = c.tau / cap.elevation_cos;
+                [share, half_sine * half_sine * half_sine * shape(c.cut)]
+            },
+            [zero; 2]
+        );
+        Self { crescent_share, beyond }
     }
 
     /// A direction in the centre's half, as if that were above the horizon.

@@ -101,6 +101,8 @@ pub struct Sampler<L> {
     cap: Cap<L>,
     /// Probability of the solid-angle part: 0 or 1 where only one part exists.
     defensive: L,
+    /// Density of the solid-angle part: 0 where nothing is visible.
+    inv_solid_angle: L,
     /// Reciprocal projected solid angles above and below the horizon; 0 for a side with nothing on it.
     inv_above: L,
     inv_below: L,
@@ -122,6 +124,7 @@ impl<L: Lane> Sampler<L> {
             Hemispheres::Front => zero,
             Hemispheres::Both => reciprocal(cap.projected_below),
         };
+        let inv_solid_angle = reciprocal(cap.solid_angle);
         let samples_projected = zero.lt(inv_above + inv_below);
         // With nothing for the technique to sample, a defensive sampler still covers the whole cap: a shading normal may
         // see what the geometric one does not. So does every sampler without a surface, where no cosine exists.
@@ -134,11 +137,19 @@ impl<L: Lane> Sampler<L> {
                 ellipse::Ellipse::new(&cap),
                 crescent::Marginal::unused(),
             ),
-            Technique::Projected => (
-                L::select(samples_projected, defensive, alone),
-                ellipse::Ellipse::new(&cap),
-                crescent::Marginal::new(&cap),
-            ),
+            Technique::Projected => {
+                // The crescent is sampled where it is on a side that is covered.
+                let samples_crescent = zero.lt(cap.crescent.tau)
+                    & match hemispheres {
+                        Hemispheres::Front => cap.elevation_sin.le(zero),
+                        Hemispheres::Both => on_surface,
+                    };
+                (
+                    L::select(samples_projected, defensive, alone),
+                    ellipse::Ellipse::new(&cap),
+                    crescent::Marginal::new(&cap, samples_crescent),
+                )
+            }
         };
         let share_above = match hemispheres {
             Hemispheres::Front => L::lit(1.0),
@@ -149,7 +160,18 @@ impl<L: Lane> Sampler<L> {
                 L::lit(1.0),
             ),
         };
-        Self { technique, hemispheres, cap, defensive, inv_above, inv_below, share_above, ellipse, marginal }
+        Self {
+            technique,
+            hemispheres,
+            cap,
+            defensive,
+            inv_solid_angle,
+            inv_above,
+            inv_below,
+            share_above,
+            ellipse,
+            marginal,
+        }
     }
 
     /// Whether there is nothing to sample: every density is 0.
@@ -239,7 +261,7 @@ impl<L: Lane> Sampler<L> {
     pub fn pdf_on_sphere(&self, offset: Offset<L>) -> Density<L> {
         let zero = L::lit(0.0);
         let cap = &self.cap;
-        let plain = L::select(zero.lt(cap.solid_angle), lit(1.0) / cap.solid_angle, zero);
+        let plain = self.inv_solid_angle;
         let cosine = offset.cosine.abs();
         let per_cosine = |pdf: L| (pdf / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX));
         if self.technique == Technique::SolidAngle {
