@@ -1,6 +1,6 @@
 """Lights of all sizes down to a millionth of their distance: the image is the analytic answer.
 
-The built-in emitter is wrong from about 1/300 on (see test_built_in_error.py), so nothing else could be compared.
+The built-in emitter is wrong from about 1/300 on (see test_built_in_error.py): it is no reference here.
 """
 
 import pytest
