@@ -13,6 +13,7 @@
 
 #include <spherecap.h>
 
+#include "recorder.h"
 #include "surfaces.h"
 
 // Mitsuba passes Dr.Jit arrays to plugins by value, and the compiler's flags decide their layout: with wrong
@@ -100,18 +101,18 @@ later through :monosp:`mi.traverse`.
     - Vertices in participating media have no surface, and use :monosp:`solid_angle`.
     - The automatic choices look at the BSDFs and shapes that the scene has when it is created. Replacing them
       later, or writing a BSDF in Python that changes the normal, calls for explicit parameters.
-    - Runs in the :monosp:`scalar_*` variants.
+    - Runs in all variants. Where kernels are compiled, moving the light does not compile them again.
+Gradients do not flow through the choice of samples; those with respect to the radiance, and to all that does
+not belong to the emitter, are what they are with :monosp:`area`.
 
  */
 
 /// What this file was compiled for; the Python package reads it from the finished plugin.
 static constexpr char BuiltFor[] = "spherecap plugin for Mitsuba " MITSUBA_WHEEL_VERSION;
 
-/// Throws unless the running Mitsuba, and the linked library, are the ones that this file was compiled for,
-/// and the variant is supported. Called before the base class is constructed: another Mitsuba has another
-/// layout of it.
-template <typename Float, typename Spectrum>
-const Properties &supported(const Properties &props) {
+/// Throws unless the running Mitsuba, and the linked library, are the ones that this file was compiled for.
+/// Called before the base class is constructed: another Mitsuba has another layout of it.
+static const Properties &supported(const Properties &props) {
     const std::string running = util::info_build(1); // "Mitsuba version 3.9.1 (master[..."
     if (running.find(" " MITSUBA_WHEEL_VERSION " ") == std::string::npos)
         throw std::runtime_error(
@@ -121,11 +122,6 @@ const Properties &supported(const Properties &props) {
         throw std::runtime_error("The spherecap plugin was compiled with a header of ABI " +
                                  std::to_string(SPHERECAP_ABI) + " and linked with a library of ABI " +
                                  std::to_string(spherecap_abi_version()) + ": build both again.");
-    if constexpr (dr::is_jit_v<Float>)
-        throw std::runtime_error(
-            "The spherecap emitter runs in the scalar variants of Mitsuba, not yet in \"" +
-            std::string(detail::variant<Float, Spectrum>::name) +
-            "\": use mi.set_variant('scalar_rgb'), or the \"area\" emitter.");
     return props;
 }
 
@@ -188,7 +184,7 @@ public:
     MI_IMPORT_BASE(Emitter, m_flags, m_shape, m_medium)
     MI_IMPORT_TYPES(Scene, Shape, Texture)
 
-    SphereCap(const Properties &props) : Base(supported<Float, Spectrum>(props)) {
+    SphereCap(const Properties &props) : Base(supported(props)) {
         if (props.has_property("to_world"))
             Throw(
                 "A spherecap emitter takes no \"to_world\": it follows its sphere, so transform the sphere.");
@@ -363,8 +359,8 @@ private:
             Throw("The sphere of a spherecap emitter must have a positive radius and a uniformly scaled "
                   "\"to_world\", without shear: use the \"area\" emitter on a mesh for ellipsoids.");
 
-        m_radius = radius;
-        m_center = *to_world * Point3f(0.f);
+        m_radius = dr::detach(radius);
+        m_center = dr::detach(*to_world * Point3f(0.f));
         dr::make_opaque(m_radius, m_center);
     }
 
@@ -379,13 +375,25 @@ private:
         return m_defensive_auto && m_in_scene && !m_demands.shading_normals() ? 0.f : m_defensive;
     }
 
-    // The two functions below are all that differs between the executions of the library's kernel. JIT
-    // variants are refused by the constructor.
+    // The functions below are all that differs between the executions of the library's kernel.
 
     /// A direction towards the light, with the point that it meets first; a pdf of zero where there is none.
     DirectionSample3f sample_cap(const Interaction3f &it, const Point2f &sample, Mask active) const {
         DirectionSample3f ds = dr::zeros<DirectionSample3f>();
-        if constexpr (!dr::is_jit_v<Float>) {
+        if constexpr (dr::is_jit_v<Float>) {
+            using Recorder = mitsuba::Recorder<Float>;
+            const Vector3f centre = m_center.value() - it.p;
+            const spherecap_term_t u[2] = {Recorder::term(sample.x()), Recorder::term(sample.y())};
+            const spherecap_recorded_sample_t drawn =
+                Recorder().record(spherecap_record_sample, recorded(it, centre), u);
+            active &= Recorder::mask(drawn.is_sampled);
+            ds.n = Recorder::vector(drawn.normal);
+            ds.d = Recorder::vector(drawn.direction);
+            ds.dist = Recorder::number(drawn.distance);
+            ds.pdf = Recorder::number(drawn.density.solid_angle) & active;
+            for (uint64_t unused : {drawn.cosine, drawn.density.projected_solid_angle})
+                Recorder::number(unused);
+        } else {
             // Mitsuba reuses random numbers, after which rounding may leave them slightly outside of [0, 1].
             const Point2f u = dr::clip(sample, 0.f, 1.f);
             spherecap_cap_t cap;
@@ -396,20 +404,25 @@ private:
             ds.n = Normal3f(drawn.normal[0], drawn.normal[1], drawn.normal[2]);
             ds.d = Vector3f(drawn.direction[0], drawn.direction[1], drawn.direction[2]);
             ds.dist = drawn.distance;
-            // Relative to the sphere, not to the point, so that the rounding does not grow with the distance.
-            ds.p = dr::fmadd(Vector3f(ds.n), m_radius.value(), m_center.value());
             ds.pdf = drawn.density.solid_angle;
-        } else {
-            DRJIT_MARK_USED(it);
-            DRJIT_MARK_USED(sample);
-            DRJIT_MARK_USED(active);
         }
+        // Relative to the sphere, not to the point, so that the rounding does not grow with the distance.
+        ds.p = dr::fmadd(Vector3f(ds.n), m_radius.value(), m_center.value());
         return ds;
     }
 
     /// The density with which `sample_cap` chooses a direction that is known to meet the sphere.
     Float pdf_cap(const Interaction3f &it, const Vector3f &direction, Mask active) const {
-        if constexpr (!dr::is_jit_v<Float>) {
+        if constexpr (dr::is_jit_v<Float>) {
+            using Recorder = mitsuba::Recorder<Float>;
+            const Vector3f centre = m_center.value() - it.p;
+            spherecap_term_t d[3];
+            Recorder::terms(direction, d);
+            const spherecap_recorded_density_t density =
+                Recorder().record(spherecap_record_pdf_on_sphere, recorded(it, centre), d);
+            Recorder::number(density.projected_solid_angle);
+            return Recorder::number(density.solid_angle) & active;
+        } else {
             spherecap_cap_t cap;
             spherecap_density_t density;
             const float d[3] = {direction.x(), direction.y(), direction.z()};
@@ -417,26 +430,28 @@ private:
                 spherecap_pdf_on_sphere(&cap, d, &density) != SPHERECAP_STATUS_OK)
                 return 0.f;
             return density.solid_angle;
-        } else {
-            DRJIT_MARK_USED(it);
-            DRJIT_MARK_USED(direction);
-            DRJIT_MARK_USED(active);
-            return 0.f;
         }
     }
 
     /// The part of the light that a point sees; false if that is none.
     bool prepare(const Interaction3f &it, spherecap_cap_t &cap) const {
-        if constexpr (!dr::is_jit_v<Float>) {
-            const Vector3f c = m_center.value() - it.p;
-            const float normal[3] = {it.n.x(), it.n.y(), it.n.z()}, center[3] = {c.x(), c.y(), c.z()};
-            return spherecap_prepare(m_technique.value, hemispheres(), defensive(), normal, center,
-                                     m_radius.value(), &cap) == SPHERECAP_STATUS_OK;
-        } else {
-            DRJIT_MARK_USED(it);
-            DRJIT_MARK_USED(cap);
-            return false;
-        }
+        const Vector3f c = m_center.value() - it.p;
+        const float normal[3] = {it.n.x(), it.n.y(), it.n.z()}, center[3] = {c.x(), c.y(), c.z()};
+        return spherecap_prepare(m_technique.value, hemispheres(), defensive(), normal, center,
+                                 m_radius.value(), &cap) == SPHERECAP_STATUS_OK;
+    }
+
+    /// The same for the recorded kernel. The centre is the light's, seen from the point.
+    spherecap_recorded_cap_t recorded(const Interaction3f &it, const Vector3f &centre) const {
+        using Recorder = mitsuba::Recorder<Float>;
+        spherecap_recorded_cap_t cap;
+        cap.technique = m_technique.value;
+        cap.hemispheres = hemispheres();
+        cap.defensive = Recorder::term(defensive());
+        Recorder::terms(it.n, cap.normal);
+        Recorder::terms(centre, cap.centre);
+        cap.radius = Recorder::term(m_radius.value());
+        return cap;
     }
 
     ref<Texture> m_radiance;

@@ -1,6 +1,6 @@
 //! The C ABI: check, convert, call, store. No mathematics.
 //!
-//! `include/spherecap.h` is generated from this file, comments included.
+//! `include/spherecap.h` is generated from this file and `ffi_record.rs`, comments included.
 
 #![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
 
@@ -65,6 +65,8 @@ pub enum spherecap_status_t {
     SPHERECAP_STATUS_CAP = 11,
     /// A direction is not of unit length (to within 0.001), or an offset has a component outside [-1, 1].
     SPHERECAP_STATUS_DIRECTION = 12,
+    /// A function of a recorder returned 0.
+    SPHERECAP_STATUS_RECORDER = 13,
 }
 use spherecap_status_t as Status;
 use Status::{
@@ -270,7 +272,7 @@ unsafe fn prepared<'a>(cap: *const spherecap_cap_t) -> Result<&'a Sampler<f32>, 
     Ok(unsafe { &(*core::ptr::from_ref(cap).cast::<Prepared>()).sampler })
 }
 
-fn technique(number: u32) -> Option<Technique> {
+pub(crate) fn technique(number: u32) -> Option<Technique> {
     use spherecap_technique_t::{
         SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_TECHNIQUE_PROJECTED_BOUNDED, SPHERECAP_TECHNIQUE_SOLID_ANGLE,
     };
@@ -285,7 +287,7 @@ fn technique(number: u32) -> Option<Technique> {
     }
 }
 
-fn hemispheres(number: u32) -> Option<Hemispheres> {
+pub(crate) fn hemispheres(number: u32) -> Option<Hemispheres> {
     use spherecap_hemispheres_t::{SPHERECAP_HEMISPHERES_BOTH, SPHERECAP_HEMISPHERES_FRONT};
     const FRONT: u32 = SPHERECAP_HEMISPHERES_FRONT as u32;
     const BOTH: u32 = SPHERECAP_HEMISPHERES_BOTH as u32;
@@ -325,7 +327,7 @@ unsafe fn direction(direction: *const f32) -> Result<Vec3<f32>, u32> {
 ///
 /// # Safety
 /// `out` is NULL or points to a writable `T`, for which all zeros is a value.
-unsafe fn store<T>(out: *mut T, value: Result<T, u32>) -> u32 {
+pub(crate) unsafe fn store<T>(out: *mut T, value: Result<T, u32>) -> u32 {
     if out.is_null() {
         return SPHERECAP_STATUS_NULL_POINTER as u32;
     }
@@ -359,7 +361,7 @@ pub extern "C" fn spherecap_version() -> *const c_char {
 /// gets words that say so.
 #[no_mangle]
 pub extern "C" fn spherecap_status_message(status: u32) -> *const c_char {
-    const MESSAGES: [&CStr; 13] = [
+    const MESSAGES: [&CStr; 14] = [
         c"success",
         Refusal::Invisible.message(),
         Refusal::Inside.message(),
@@ -373,6 +375,7 @@ pub extern "C" fn spherecap_status_message(status: u32) -> *const c_char {
         c"a random number must be in [0, 1]",
         c"the cap was never prepared, or overwritten: call spherecap_prepare on it first",
         c"a direction must have length 1 (to within 0.001), and an offset components in [-1, 1]",
+        c"the recorder failed to make a node: its functions returned 0",
     ];
     MESSAGES.get(status as usize).copied().unwrap_or(c"this number is not a spherecap_status_t").as_ptr()
 }

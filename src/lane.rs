@@ -7,6 +7,7 @@
 //!   scalar, an any/all test for a packet, a select when recording.
 //! - Elementary functions are built from the operations below (`math.rs`), never taken from a platform.
 
+pub(crate) mod recorded;
 mod scalar;
 
 use crate::fits::Fits;

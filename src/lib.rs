@@ -34,6 +34,7 @@ mod cap;
 mod compensated;
 mod disk;
 mod ffi;
+mod ffi_record;
 mod fits;
 mod lane;
 mod math;

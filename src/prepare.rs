@@ -1,7 +1,7 @@
 //! The checked way in for scalars: bad input gets an error that says what to do.
 
 use crate::cap::Cap;
-use crate::lane::Lane;
+use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 use crate::sampling::{Sampler, Strategy};
 use crate::vec3::Vec3;
@@ -61,11 +61,35 @@ impl Scalar for f64 {}
 
 /// Whether a vector has length 1 to within [`UNIT_TOLERANCE`].
 #[inline(always)]
-pub(crate) fn is_unit<F: Scalar>(v: Vec3<F>) -> bool {
+pub(crate) fn is_unit<L: Lane>(v: Vec3<L>) -> L::Mask {
     let length2 = v.dot(v);
-    let low = F::lit((1.0 - UNIT_TOLERANCE) * (1.0 - UNIT_TOLERANCE));
-    let high = F::lit((1.0 + UNIT_TOLERANCE) * (1.0 + UNIT_TOLERANCE));
-    low <= length2 && length2 <= high
+    let low = L::lit((1.0 - UNIT_TOLERANCE) * (1.0 - UNIT_TOLERANCE));
+    let high = L::lit((1.0 + UNIT_TOLERANCE) * (1.0 + UNIT_TOLERANCE));
+    low.le(length2) & length2.le(high)
+}
+
+/// Whether a normal is exactly zero, as it is on no surface.
+#[inline(always)]
+fn is_zero<L: Lane>(v: Vec3<L>) -> L::Mask {
+    let zero = L::lit(0.0);
+    v.x.abs().le(zero) & v.y.abs().le(zero) & v.z.abs().le(zero)
+}
+
+/// A normal that [`Cap::new`] may be given, from one that is zero or of about unit length.
+///
+/// Unit vectors of single precision are used as they stand. With a longer or shorter one the cap would contradict itself:
+/// a cosine would not be that of its angle.
+#[inline(always)]
+fn unit_or_zero<L: Lane>(normal: Vec3<L>) -> Vec3<L> {
+    let length2 = normal.dot(normal);
+    let is_rounded = (length2 - lit(1.0)).abs().le(L::lit(4.0 * f64::from(f32::EPSILON)));
+    branch!(is_zero(normal) | is_rounded, normal, normal * (lit(1.0) / length2.sqrt()))
+}
+
+/// Whether the defensive fraction is one.
+#[inline(always)]
+fn is_fraction<L: Lane>(defensive: L) -> L::Mask {
+    L::lit(0.0).le(defensive) & defensive.le(L::lit(1.0))
 }
 
 /// Whether an offset may be that of a direction: components of a unit vector.
@@ -91,11 +115,10 @@ impl<F: Scalar> Sampler<F> {
     ) -> Result<Self, Refusal> {
         let (normal, centre) = (normal.into(), centre.into());
         let (zero, largest) = (F::lit(0.0), F::lit(F::MAX));
-        if !(zero <= strategy.defensive && strategy.defensive <= F::lit(1.0)) {
+        if !is_fraction(strategy.defensive) {
             return Err(Refusal::Defensive);
         }
-        let is_zero = normal.x == zero && normal.y == zero && normal.z == zero;
-        if !(is_zero || is_unit(normal)) {
+        if !(is_zero(normal) || is_unit(normal)) {
             return Err(Refusal::Normal);
         }
         if !(zero < radius && radius <= largest) {
@@ -105,12 +128,7 @@ impl<F: Scalar> Sampler<F> {
         if !(x <= largest && y <= largest && z <= largest && zero < x.max(y).max(z)) {
             return Err(Refusal::Centre);
         }
-        // Unit vectors of single precision are used as they stand. With a longer or shorter one the cap would contradict
-        // itself: a cosine would not be that of its angle.
-        let length2 = normal.dot(normal);
-        let is_rounded = (length2 - F::lit(1.0)).abs() <= F::lit(4.0 * f64::from(f32::EPSILON));
-        let normal = if is_zero || is_rounded { normal } else { normal * (F::lit(1.0) / length2.sqrt()) };
-        let cap = Cap::new(normal, centre, radius);
+        let cap = Cap::new(unit_or_zero(normal), centre, radius);
         if cap.distance() > largest {
             return Err(Refusal::Centre);
         }
@@ -122,5 +140,26 @@ impl<F: Scalar> Sampler<F> {
             return Err(Refusal::Invisible);
         }
         Ok(sampler)
+    }
+}
+
+impl<L: Lane> Sampler<L> {
+    /// [`Sampler::prepare`] for any lane: the mask says where it would succeed. Elsewhere, nothing about the sampler holds.
+    ///
+    /// Fewer tests than there are refusals: a point inside, and a radius or a centre that is not finite, leave nothing to
+    /// sample or no distance.
+    #[inline(always)]
+    pub(crate) fn prepare_where_possible(
+        strategy: Strategy<L>,
+        normal: Vec3<L>,
+        centre: Vec3<L>,
+        radius: L,
+    ) -> (Self, L::Mask) {
+        let is_valid =
+            is_fraction(strategy.defensive) & (is_zero(normal) | is_unit(normal)) & L::lit(0.0).lt(radius);
+        let cap = Cap::new(unit_or_zero(normal), centre, radius);
+        let is_near = cap.distance().le(L::lit(L::MAX));
+        let sampler = Self::new(cap, strategy);
+        (sampler, is_valid & is_near & !sampler.is_empty())
     }
 }

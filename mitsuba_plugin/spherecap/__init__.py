@@ -1,18 +1,41 @@
 """Makes the emitter ``spherecap`` known to Mitsuba 3, in every variant::
 
-    import mitsuba as mi
     import spherecap
+    import mitsuba as mi
 
-    mi.set_variant("scalar_rgb")  # before or after the import
+    mi.set_variant("llvm_ad_rgb")
     mi.load_dict({"type": "sphere", "emitter": {"type": "spherecap"}})
 
 The import appends this folder, with the plugin in ``plugins/spherecap.so``, to Mitsuba's search path; nothing
 is copied. For the ``mitsuba`` command the same is done by ``-a <this folder>``.
+
+The ``llvm_*`` variants need a shared library of LLVM. If the package ``karellen-llvm-core`` is installed and
+the environment does not say otherwise (``DRJIT_LIBLLVM_PATH``), its library is used. Dr.Jit looks for it when
+it is imported: for that, ``spherecap`` must come before ``mitsuba``. For all else the order does not matter.
 """
 
+import os
+from importlib import metadata
 from pathlib import Path
 
-import mitsuba
+
+def _offer_llvm() -> None:
+    """Tell Dr.Jit where the LLVM of this Python environment is, unless the user has told it."""
+    if "DRJIT_LIBLLVM_PATH" in os.environ:
+        return
+    try:
+        package = metadata.distribution("karellen-llvm-core")
+    except metadata.PackageNotFoundError:
+        return  # Dr.Jit looks for one of the system's
+    # "libLLVM.so.23.1"; other names of the file are links or depend on it.
+    for file in package.files or ():
+        if file.name.startswith("libLLVM.so."):
+            os.environ["DRJIT_LIBLLVM_PATH"] = str(Path(package.locate_file(file)).resolve())
+
+
+_offer_llvm()
+
+import mitsuba  # noqa: E402 (which loads LLVM)
 
 __all__ = ["PLUGIN", "register"]
 

@@ -266,6 +266,85 @@ static void bad_input_to_the_others(void) {
     CHECK(spherecap_density_bound(&cap, NULL) == null);
 }
 
+// A recorder that numbers its nodes, counts those that are alive, and fails when it has made enough.
+typedef struct counter_t {
+    uint64_t made, enough, alive;
+} counter_t;
+
+static uint64_t count_node(counter_t *counter) {
+    if (counter->made == counter->enough) {
+        return 0;
+    }
+    ++counter->alive;
+    return ++counter->made;
+}
+
+static uint64_t count_literal(void *user, float value) {
+    (void)value;
+    return count_node((counter_t *)user);
+}
+
+static uint64_t count_operation(void *user, spherecap_op_t op, const uint64_t *operands) {
+    CHECK(op <= SPHERECAP_OP_FLOAT_OF_BITS && operands[0] != 0);
+    return count_node((counter_t *)user);
+}
+
+static void count_release(void *user, uint64_t node) {
+    CHECK(node != 0);
+    --((counter_t *)user)->alive;
+}
+
+// Both functions give this status and zeros.
+static void expect_no_record(const spherecap_recorder_t *recorder, const spherecap_recorded_cap_t *cap,
+                             const spherecap_term_t *u, const spherecap_term_t *direction,
+                             uint32_t expected) {
+    spherecap_recorded_sample_t sample;
+    spherecap_recorded_density_t density;
+    EXPECT_NOTHING(expected, sample, spherecap_record_sample(recorder, cap, u, &sample));
+    EXPECT_NOTHING(expected, density, spherecap_record_pdf_on_sphere(recorder, cap, direction, &density));
+}
+
+static void recorders(void) {
+    const uint32_t null = SPHERECAP_STATUS_NULL_POINTER;
+    counter_t counter = {100, UINT64_MAX, 0};
+    const spherecap_recorder_t recorder = {&counter, count_literal, count_operation, count_release};
+    const spherecap_term_t term[3] = {{1, 0.0f}, {2, 0.0f}, {3, 0.0f}};
+    const spherecap_recorded_cap_t good = {
+        SPHERECAP_TECHNIQUE_PROJECTED,     SPHERECAP_HEMISPHERES_BOTH,        {0, 0.125f},
+        {{4, 0.0f}, {5, 0.0f}, {6, 0.0f}}, {{7, 0.0f}, {8, 0.0f}, {9, 0.0f}}, {10, 0.0f}};
+    spherecap_recorded_sample_t sample;
+    spherecap_recorded_density_t density;
+    CHECK(spherecap_record_sample(&recorder, &good, term, &sample) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_record_pdf_on_sphere(&recorder, &good, term, &density) == SPHERECAP_STATUS_OK);
+    CHECK(counter.alive == 13 && sample.density.solid_angle != 0 && density.solid_angle != 0);
+    counter.alive = 0;
+
+    counter.enough = counter.made + 50;
+    expect_no_record(&recorder, &good, term, term, SPHERECAP_STATUS_RECORDER);
+    CHECK(counter.alive == 0 && counter.made == counter.enough);
+    counter.enough = UINT64_MAX;
+
+    for (int i = 0; i < 3; ++i) {
+        spherecap_recorder_t incomplete = recorder;
+        incomplete.literal = i == 0 ? NULL : incomplete.literal;
+        incomplete.op = i == 1 ? NULL : incomplete.op;
+        incomplete.release = i == 2 ? NULL : incomplete.release;
+        expect_no_record(&incomplete, &good, term, term, null);
+    }
+    expect_no_record(NULL, &good, term, term, null);
+    expect_no_record(&recorder, NULL, term, term, null);
+    expect_no_record(&recorder, &good, NULL, NULL, null);
+    CHECK(spherecap_record_sample(&recorder, &good, term, NULL) == null);
+    CHECK(spherecap_record_pdf_on_sphere(&recorder, &good, term, NULL) == null);
+    spherecap_recorded_cap_t cap = good;
+    cap.technique = 3;
+    expect_no_record(&recorder, &cap, term, term, SPHERECAP_STATUS_TECHNIQUE);
+    cap = good;
+    cap.hemispheres = UINT32_MAX;
+    expect_no_record(&recorder, &cap, term, term, SPHERECAP_STATUS_HEMISPHERES);
+    CHECK(counter.alive == 0);
+}
+
 static void caps_that_were_never_prepared(void) {
     const int patterns[] = {0x00, 0xff, 0xa5, 0x7f};
     for (size_t i = 0; i < sizeof patterns / sizeof *patterns; ++i) {
@@ -306,6 +385,7 @@ int main(void) {
     valid_input_to_prepare();
     bad_input_to_the_others();
     caps_that_were_never_prepared();
+    recorders();
     messages();
     return 0;
 }

@@ -4,6 +4,7 @@
 
 #include "check.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -83,9 +84,43 @@ void call_from_two_threads() {
     CHECK(std::memcmp(second.data(), alone.data(), size) == 0);
 }
 
+// A graph without edges: every node is new.
+void call_the_recorder() {
+    std::vector<bool> alive(1, false);
+    const auto add = [](void *user) -> uint64_t {
+        auto &nodes = *static_cast<std::vector<bool> *>(user);
+        nodes.push_back(true);
+        return nodes.size() - 1;
+    };
+    static const auto make = +add;
+    const spherecap_recorder_t recorder{
+        &alive, [](void *user, float) { return make(user); },
+        [](void *user, spherecap_op_t, const uint64_t *) { return make(user); },
+        [](void *user, uint64_t node) {
+            auto &nodes = *static_cast<std::vector<bool> *>(user);
+            CHECK(nodes[node]);
+            nodes[node] = false;
+        }};
+    // Three inputs, and for the rest constants.
+    const spherecap_term_t input{add(&alive), 0.0f}, zero{0, 0.0f}, one{0, 1.0f};
+    const spherecap_recorded_cap_t cap{SPHERECAP_TECHNIQUE_PROJECTED,
+                                       SPHERECAP_HEMISPHERES_FRONT,
+                                       zero,
+                                       {zero, zero, one},
+                                       {input, input, input},
+                                       one};
+    const std::array<spherecap_term_t, 3> terms{one, zero, zero};
+    spherecap_recorded_sample_t sample;
+    CHECK(spherecap_record_sample(&recorder, &cap, terms.data(), &sample) == SPHERECAP_STATUS_OK);
+    spherecap_recorded_density_t density;
+    CHECK(spherecap_record_pdf_on_sphere(&recorder, &cap, terms.data(), &density) == SPHERECAP_STATUS_OK);
+    CHECK(std::count(alive.begin(), alive.end(), true) == 1 + 11 + 2);
+}
+
 } // namespace
 
 int main() {
     call_everything();
+    call_the_recorder();
     call_from_two_threads();
 }

@@ -1,0 +1,312 @@
+//! The part of the C ABI that records the kernels into a caller's expression graph. No mathematics.
+//!
+//! `include/spherecap.h` is generated from this file and `ffi.rs`, comments included.
+
+#![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
+
+use crate::ffi::{hemispheres, spherecap_status_t as Status, store, technique};
+use crate::lane::recorded::{Backend, NodeId, Op, Recorded, RecordedMask, Tape};
+use crate::lane::Lane;
+use crate::prepare::is_unit;
+use crate::sampling::{Density, Sampler, Strategy};
+use crate::vec3::Vec3;
+use core::ffi::c_void;
+
+/// What a node of a recorded graph computes from its operands. Numbers are single precision and operations IEEE 754's,
+/// rounded to nearest; where a graph's operations are less precise, so is what it computes.
+#[repr(C)]
+pub enum spherecap_op_t {
+    /// a + b
+    SPHERECAP_OP_ADD = 0,
+    /// a - b
+    SPHERECAP_OP_SUB = 1,
+    /// a * b
+    SPHERECAP_OP_MUL = 2,
+    /// a / b
+    SPHERECAP_OP_DIV = 3,
+    /// a * b + c, rounded once: `fmaf`.
+    SPHERECAP_OP_FMA = 4,
+    /// -a
+    SPHERECAP_OP_NEG = 5,
+    /// |a|
+    SPHERECAP_OP_ABS = 6,
+    /// The square root of a; NaN below zero.
+    SPHERECAP_OP_SQRT = 7,
+    /// a < b, a truth value; false where either is NaN.
+    SPHERECAP_OP_LT = 8,
+    /// a <= b, likewise.
+    SPHERECAP_OP_LE = 9,
+    /// a and b, of truth values.
+    SPHERECAP_OP_AND = 10,
+    /// a or b, of truth values.
+    SPHERECAP_OP_OR = 11,
+    /// not a, of a truth value.
+    SPHERECAP_OP_NOT = 12,
+    /// b where the truth value a is true, else c: numbers.
+    SPHERECAP_OP_SELECT = 13,
+    /// The bit pattern of a, read as `uint32_t`, converted to the nearest number.
+    SPHERECAP_OP_BITS = 14,
+    /// The number whose bit pattern is a, truncated to a `uint32_t`. Where a is NaN or not in [0, 2^32) any number does: it
+    /// is not used.
+    SPHERECAP_OP_FLOAT_OF_BITS = 15,
+}
+
+/// A program that builds an expression graph: what it takes to record the kernels. Nodes have numbers other than 0, of the
+/// program's choice: an index or a pointer. No function may call back into this library's, throw, or jump out.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct spherecap_recorder_t {
+    /// The first argument of each function.
+    pub user: *mut c_void,
+    /// Gives a node for a constant, or 0 if that fails.
+    pub literal: Option<unsafe extern "C" fn(user: *mut c_void, value: f32) -> u64>,
+    /// Gives a node for an operation on one to three nodes (behind a pointer that holds only during the call), or 0 if that
+    /// fails. It may be the same node for the same operation on the same nodes.
+    pub op: Option<unsafe extern "C" fn(user: *mut c_void, op: spherecap_op_t, operands: *const u64) -> u64>,
+    /// Takes back a node: called once for each time that `literal` or `op` returned it, unless it is part of a result.
+    pub release: Option<unsafe extern "C" fn(user: *mut c_void, node: u64)>,
+}
+
+/// An input of a recorded kernel: a node or, where that is 0, a constant. Operations on constants are not recorded.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct spherecap_term_t {
+    /// A node, which stays the caller's; or 0.
+    pub node: u64,
+    /// The constant.
+    pub constant: f32,
+}
+
+/// What `spherecap_prepare` is given. Where it would refuse, the recorded kernels have nothing to sample.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct spherecap_recorded_cap_t {
+    /// A `spherecap_technique_t`.
+    pub technique: u32,
+    /// A `spherecap_hemispheres_t`.
+    pub hemispheres: u32,
+    /// The probability of sampling by solid angle over the whole cap instead, in [0, 1].
+    pub defensive: spherecap_term_t,
+    /// The surface normal, or (0, 0, 0) on no surface.
+    pub normal: [spherecap_term_t; 3],
+    /// The sphere's centre minus the shading point.
+    pub centre: [spherecap_term_t; 3],
+    /// The sphere's radius.
+    pub radius: spherecap_term_t,
+}
+
+/// Nodes that compute a density. They are the caller's, who has to release each.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct spherecap_recorded_density_t {
+    /// With respect to solid angle, per steradian.
+    pub solid_angle: u64,
+    /// With respect to projected solid angle: the same divided by |cosine|, but never infinite.
+    pub projected_solid_angle: u64,
+}
+
+/// Nodes that compute a sample: the bits that `spherecap_sample` stores, and zeros where there is nothing to sample. They are
+/// the caller's, who has to release each.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct spherecap_recorded_sample_t {
+    /// A truth value: is there something to sample?
+    pub is_sampled: u64,
+    /// Unit direction from the shading point.
+    pub direction: [u64; 3],
+    /// Distance to the sphere's surface along the direction.
+    pub distance: u64,
+    /// Unit outward normal of the sphere there.
+    pub normal: [u64; 3],
+    /// Cosine of the direction with the surface normal.
+    pub cosine: u64,
+    /// Density of the direction.
+    pub density: spherecap_recorded_density_t,
+}
+
+impl From<Op> for spherecap_op_t {
+    fn from(op: Op) -> Self {
+        match op {
+            Op::Add => Self::SPHERECAP_OP_ADD,
+            Op::Sub => Self::SPHERECAP_OP_SUB,
+            Op::Mul => Self::SPHERECAP_OP_MUL,
+            Op::Div => Self::SPHERECAP_OP_DIV,
+            Op::Fma => Self::SPHERECAP_OP_FMA,
+            Op::Neg => Self::SPHERECAP_OP_NEG,
+            Op::Abs => Self::SPHERECAP_OP_ABS,
+            Op::Sqrt => Self::SPHERECAP_OP_SQRT,
+            Op::Lt => Self::SPHERECAP_OP_LT,
+            Op::Le => Self::SPHERECAP_OP_LE,
+            Op::And => Self::SPHERECAP_OP_AND,
+            Op::Or => Self::SPHERECAP_OP_OR,
+            Op::Not => Self::SPHERECAP_OP_NOT,
+            Op::Select => Self::SPHERECAP_OP_SELECT,
+            Op::Bits => Self::SPHERECAP_OP_BITS,
+            Op::FloatOfBits => Self::SPHERECAP_OP_FLOAT_OF_BITS,
+        }
+    }
+}
+
+/// A recorder that has all its functions.
+struct Recorder {
+    user: *mut c_void,
+    literal: unsafe extern "C" fn(*mut c_void, f32) -> u64,
+    op: unsafe extern "C" fn(*mut c_void, spherecap_op_t, *const u64) -> u64,
+    release: unsafe extern "C" fn(*mut c_void, u64),
+}
+
+impl Backend for Recorder {
+    fn literal(&self, value: f32) -> Option<NodeId> {
+        // SAFETY: the header's contract.
+        Some(unsafe { (self.literal)(self.user, value) }).filter(|&node| node != 0)
+    }
+    fn op(&self, op: Op, operands: &[NodeId]) -> Option<NodeId> {
+        // SAFETY: the header's contract.
+        Some(unsafe { (self.op)(self.user, op.into(), operands.as_ptr()) }).filter(|&node| node != 0)
+    }
+    fn release(&self, node: NodeId) {
+        // SAFETY: the header's contract.
+        unsafe { (self.release)(self.user, node) }
+    }
+}
+
+/// # Safety
+/// `recorder` is NULL or points to a readable `spherecap_recorder_t`.
+unsafe fn complete(recorder: *const spherecap_recorder_t) -> Result<Recorder, u32> {
+    let null = Status::SPHERECAP_STATUS_NULL_POINTER as u32;
+    // SAFETY: the caller's promise.
+    match *unsafe { recorder.as_ref() }.ok_or(null)? {
+        spherecap_recorder_t { user, literal: Some(literal), op: Some(op), release: Some(release) } => {
+            Ok(Recorder { user, literal, op, release })
+        }
+        _ => Err(null),
+    }
+}
+
+fn input<'t>(tape: &'t Tape<'_>, term: spherecap_term_t) -> Recorded<'t> {
+    match term.node {
+        0 => Recorded::Lit(term.constant),
+        node => tape.input(node),
+    }
+}
+
+fn vector<'t>(tape: &'t Tape<'_>, terms: [spherecap_term_t; 3]) -> Vec3<Recorded<'t>> {
+    terms.map(|term| input(tape, term)).into()
+}
+
+/// The prepared cap, and where there is something to sample.
+///
+/// # Safety
+/// `cap` is NULL or points to a readable `spherecap_recorded_cap_t`.
+unsafe fn prepare<'t>(
+    tape: &'t Tape<'_>,
+    cap: *const spherecap_recorded_cap_t,
+) -> Result<(Sampler<Recorded<'t>>, RecordedMask<'t>), u32> {
+    // SAFETY: the caller's promise.
+    let cap = unsafe { cap.as_ref() }.ok_or(Status::SPHERECAP_STATUS_NULL_POINTER as u32)?;
+    let strategy = Strategy {
+        technique: technique(cap.technique).ok_or(Status::SPHERECAP_STATUS_TECHNIQUE as u32)?,
+        hemispheres: hemispheres(cap.hemispheres).ok_or(Status::SPHERECAP_STATUS_HEMISPHERES as u32)?,
+        defensive: input(tape, cap.defensive),
+    };
+    let (normal, centre) = (vector(tape, cap.normal), vector(tape, cap.centre));
+    Ok(Sampler::prepare_where_possible(strategy, normal, centre, input(tape, cap.radius)))
+}
+
+/// Nodes that are zero where the mask is false.
+fn keep_where<'t, const N: usize>(
+    tape: &Tape<'_>,
+    mask: RecordedMask<'t>,
+    lanes: [Recorded<'t>; N],
+) -> [NodeId; N] {
+    lanes.map(|lane| tape.keep(Recorded::select(mask, lane, Recorded::Lit(0.0))))
+}
+
+fn keep_density_where<'t>(
+    tape: &Tape<'_>,
+    mask: RecordedMask<'t>,
+    density: Density<Recorded<'t>>,
+) -> spherecap_recorded_density_t {
+    let [solid_angle, projected_solid_angle] =
+        keep_where(tape, mask, [density.solid_angle, density.projected_solid_angle]);
+    spherecap_recorded_density_t { solid_angle, projected_solid_angle }
+}
+
+/// Records `spherecap_prepare` and `spherecap_sample` with two random numbers (at `u`) as one graph. Random numbers outside
+/// [0, 1] are taken for the nearer end, and NaN for 0.
+///
+/// Stores the nodes that compute the results, which are new ones and the caller's. Everything else that the recorder made is
+/// given back to it before the function returns. The only kind of function that allocates memory, for the time of the
+/// call; if there is none left the process ends.
+///
+/// Errors: NULL_POINTER (of the recorder's functions, too), TECHNIQUE, HEMISPHERES, RECORDER; then zeros are stored, and no
+/// node is left.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_record_sample(
+    recorder: *const spherecap_recorder_t,
+    cap: *const spherecap_recorded_cap_t,
+    u: *const spherecap_term_t,
+    sample: *mut spherecap_recorded_sample_t,
+) -> u32 {
+    // SAFETY: the header's contract; an array is aligned as its elements.
+    let (recorder, u) = unsafe { (complete(recorder), u.cast::<[spherecap_term_t; 2]>().as_ref()) };
+    let result = recorder.and_then(|recorder| {
+        let u = *u.filter(|_| !sample.is_null()).ok_or(Status::SPHERECAP_STATUS_NULL_POINTER as u32)?;
+        let tape = Tape::new(&recorder);
+        // SAFETY: the header's contract.
+        let (sampler, mask) = unsafe { prepare(&tape, cap) }?;
+        let [u0, u1] = u.map(|term| input(&tape, term));
+        let sample = sampler.sample(u0, u1);
+        let density = keep_density_where(&tape, mask, sample.density);
+        let [distance, cosine] = keep_where(&tape, mask, [sample.distance, sample.offset.cosine]);
+        let direction = keep_where(&tape, mask, sample.direction.into());
+        let normal = keep_where(&tape, mask, sample.normal.into());
+        let is_sampled = tape.keep_mask(mask);
+        let kept = spherecap_recorded_sample_t { is_sampled, direction, distance, normal, cosine, density };
+        let spherecap_recorded_density_t { solid_angle, projected_solid_angle } = density;
+        let singles = [is_sampled, distance, cosine, solid_angle, projected_solid_angle];
+        settle(&tape, kept, singles.iter().chain(&direction).chain(&normal))
+    });
+    // SAFETY: the header's contract.
+    unsafe { store(sample, result) }
+}
+
+/// Records `spherecap_prepare` and `spherecap_pdf_on_sphere` for a unit direction (three terms) as one graph. The density is
+/// zero where there is nothing to sample and where the direction is not of unit length.
+///
+/// Stores the nodes that compute the density; see `spherecap_record_sample` for who owns what, and for memory.
+///
+/// Errors: as `spherecap_record_sample`.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_record_pdf_on_sphere(
+    recorder: *const spherecap_recorder_t,
+    cap: *const spherecap_recorded_cap_t,
+    direction: *const spherecap_term_t,
+    density: *mut spherecap_recorded_density_t,
+) -> u32 {
+    // SAFETY: the header's contract; an array is aligned as its elements.
+    let (recorder, direction) =
+        unsafe { (complete(recorder), direction.cast::<[spherecap_term_t; 3]>().as_ref()) };
+    let result = recorder.and_then(|recorder| {
+        let direction =
+            *direction.filter(|_| !density.is_null()).ok_or(Status::SPHERECAP_STATUS_NULL_POINTER as u32)?;
+        let tape = Tape::new(&recorder);
+        // SAFETY: the header's contract.
+        let (sampler, mask) = unsafe { prepare(&tape, cap) }?;
+        let direction = vector(&tape, direction);
+        let density = sampler.pdf_on_sphere(sampler.offset(direction));
+        let kept = keep_density_where(&tape, mask & is_unit(direction), density);
+        settle(&tape, kept, &[kept.solid_angle, kept.projected_solid_angle])
+    });
+    // SAFETY: the header's contract.
+    unsafe { store(density, result) }
+}
+
+/// What was kept; or, if the recorder has failed, an error, with the nodes given back.
+fn settle<'a, T>(tape: &Tape<'_>, kept: T, nodes: impl IntoIterator<Item = &'a NodeId>) -> Result<T, u32> {
+    if !tape.has_failed() {
+        return Ok(kept);
+    }
+    nodes.into_iter().for_each(|&node| tape.give_back(node));
+    Err(Status::SPHERECAP_STATUS_RECORDER as u32)
+}

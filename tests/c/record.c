@@ -1,0 +1,282 @@
+// Records the kernels into a recorder that evaluates at once, in plain C floats, and checks that it gives the
+// bits of the library's own functions, zeros where they refuse, and every node back.
+//
+// Input: as of `bits.c`. Output: how many lines there were, how many of them had something to sample, and the
+// most operations of a sample and of a density.
+
+#include "spherecap.h"
+
+#include "check.h"
+
+#include <math.h>
+
+enum { WORDS_IN = 12, NODES = 4096 };
+
+// A node is an index into these arrays. Values are all that it has.
+typedef struct graph_t {
+    float value[NODES];
+    int references[NODES];
+    unsigned count, alive, operations, fails_at;
+} graph_t;
+
+static float as_float(uint32_t bits) {
+    float number;
+    memcpy(&number, &bits, sizeof number);
+    return number;
+}
+
+static uint32_t as_bits(float number) {
+    uint32_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
+static uint64_t new_node(graph_t *graph, float value) {
+    CHECK(graph->count + 1 < NODES);
+    if (graph->count == graph->fails_at) {
+        return 0;
+    }
+    graph->value[++graph->count] = value;
+    graph->references[graph->count] = 1;
+    ++graph->alive;
+    return graph->count;
+}
+
+static float value_of(const graph_t *graph, uint64_t node) {
+    CHECK(1 <= node && node <= graph->count && graph->references[node] == 1);
+    return graph->value[node];
+}
+
+static uint64_t literal(void *user, float value) { return new_node((graph_t *)user, value); }
+
+static void release(void *user, uint64_t node) {
+    graph_t *graph = (graph_t *)user;
+    CHECK(1 <= node && node <= graph->count && graph->references[node] == 1);
+    --graph->references[node];
+    --graph->alive;
+}
+
+static uint64_t operation(void *user, spherecap_op_t op, const uint64_t *operands) {
+    graph_t *graph = (graph_t *)user;
+    const int arity = op == SPHERECAP_OP_FMA || op == SPHERECAP_OP_SELECT ? 3
+                      : (op >= SPHERECAP_OP_NEG && op <= SPHERECAP_OP_SQRT) || op == SPHERECAP_OP_NOT ||
+                              op >= SPHERECAP_OP_BITS
+                          ? 1
+                          : 2;
+    float x[3] = {0.0f, 0.0f, 0.0f};
+    for (int i = 0; i < arity; ++i) {
+        x[i] = value_of(graph, operands[i]);
+    }
+    const float a = x[0], b = x[1], c = x[2];
+    float result = 0.0f;
+    switch (op) {
+    case SPHERECAP_OP_ADD:
+        result = a + b;
+        break;
+    case SPHERECAP_OP_SUB:
+        result = a - b;
+        break;
+    case SPHERECAP_OP_MUL:
+        result = a * b;
+        break;
+    case SPHERECAP_OP_DIV:
+        result =
+            b == 0.0f ? (a != a || a == 0.0f ? NAN : copysignf(INFINITY, a) * copysignf(1.0f, b)) : a / b;
+        break;
+    case SPHERECAP_OP_FMA:
+        result = fmaf(a, b, c);
+        break;
+    case SPHERECAP_OP_NEG:
+        result = -a;
+        break;
+    case SPHERECAP_OP_ABS:
+        result = fabsf(a);
+        break;
+    case SPHERECAP_OP_SQRT:
+        result = sqrtf(a);
+        break;
+    case SPHERECAP_OP_LT:
+        result = a < b;
+        break;
+    case SPHERECAP_OP_LE:
+        result = a <= b;
+        break;
+    case SPHERECAP_OP_AND:
+        result = a != 0.0f && b != 0.0f;
+        break;
+    case SPHERECAP_OP_OR:
+        result = a != 0.0f || b != 0.0f;
+        break;
+    case SPHERECAP_OP_NOT:
+        result = a == 0.0f;
+        break;
+    case SPHERECAP_OP_SELECT:
+        result = a != 0.0f ? b : c;
+        break;
+    case SPHERECAP_OP_BITS:
+        result = (float)as_bits(a);
+        break;
+    case SPHERECAP_OP_FLOAT_OF_BITS:
+        result = 0.0f <= a && a < 4294967296.0f ? as_float((uint32_t)a) : 0.0f;
+        break;
+    }
+    ++graph->operations;
+    return new_node(graph, result);
+}
+
+static int read_words(uint32_t words[WORDS_IN]) {
+    for (int i = 0; i < WORDS_IN; ++i) {
+        unsigned word;
+        if (scanf("%x", &word) != 1) {
+            CHECK(i == 0 && feof(stdin));
+            return 0;
+        }
+        words[i] = word;
+    }
+    return 1;
+}
+
+// An input of the graph, or a constant.
+static spherecap_term_t term(graph_t *graph, float value) {
+    spherecap_term_t term = {0, value};
+    if (graph != NULL) {
+        term.node = new_node(graph, value);
+        term.constant = NAN; // not to be looked at
+    }
+    return term;
+}
+
+static spherecap_recorded_cap_t recorded_cap(graph_t *graph, const uint32_t *words, const float *in) {
+    spherecap_recorded_cap_t cap;
+    cap.technique = words[0];
+    cap.hemispheres = words[1];
+    cap.defensive = term(NULL, in[2]); // a constant, as renderers have it
+    for (int i = 0; i < 3; ++i) {
+        cap.normal[i] = term(graph, in[3 + i]);
+        cap.centre[i] = term(graph, in[6 + i]);
+    }
+    cap.radius = term(graph, in[9]);
+    return cap;
+}
+
+static void expect_bits(const graph_t *graph, uint64_t node, float expected) {
+    const float found = value_of(graph, node);
+    CHECK(as_bits(found) == as_bits(expected));
+}
+
+static graph_t graph;
+static const spherecap_recorder_t recorder = {&graph, literal, operation, release};
+
+static void start(void) {
+    memset(&graph, 0, sizeof graph);
+    graph.fails_at = NODES;
+}
+
+static unsigned check_sample(const uint32_t *words, const float *in, int with_nodes,
+                             const spherecap_sample_t *expected, int is_sampled) {
+    start();
+    graph_t *inputs = with_nodes ? &graph : NULL;
+    const spherecap_recorded_cap_t cap = recorded_cap(inputs, words, in);
+    const spherecap_term_t u[2] = {term(inputs, in[10]), term(inputs, in[11])};
+    const unsigned before = graph.alive;
+    spherecap_recorded_sample_t sample;
+    CHECK(spherecap_record_sample(&recorder, &cap, u, &sample) == SPHERECAP_STATUS_OK);
+    CHECK(graph.alive == before + 11); // what the sample holds
+    for (int i = 0; i < 3; ++i) {
+        expect_bits(&graph, sample.direction[i], expected->direction[i]);
+        expect_bits(&graph, sample.normal[i], expected->normal[i]);
+        release(&graph, sample.direction[i]);
+        release(&graph, sample.normal[i]);
+    }
+    expect_bits(&graph, sample.distance, expected->distance);
+    expect_bits(&graph, sample.cosine, expected->offset.cosine);
+    expect_bits(&graph, sample.density.solid_angle, expected->density.solid_angle);
+    expect_bits(&graph, sample.density.projected_solid_angle, expected->density.projected_solid_angle);
+    expect_bits(&graph, sample.is_sampled, (float)is_sampled);
+    const uint64_t rest[5] = {sample.distance, sample.cosine, sample.density.solid_angle,
+                              sample.density.projected_solid_angle, sample.is_sampled};
+    for (int i = 0; i < 5; ++i) {
+        release(&graph, rest[i]); // each is another node, or this would be its second time
+    }
+    CHECK(graph.alive == before);
+    return graph.operations;
+}
+
+static unsigned check_density(const uint32_t *words, const float *in, int with_nodes, const float *direction,
+                              const spherecap_density_t *expected) {
+    start();
+    graph_t *inputs = with_nodes ? &graph : NULL;
+    const spherecap_recorded_cap_t cap = recorded_cap(inputs, words, in);
+    const spherecap_term_t d[3] = {term(inputs, direction[0]), term(inputs, direction[1]),
+                                   term(inputs, direction[2])};
+    const unsigned before = graph.alive;
+    spherecap_recorded_density_t density;
+    CHECK(spherecap_record_pdf_on_sphere(&recorder, &cap, d, &density) == SPHERECAP_STATUS_OK);
+    CHECK(graph.alive == before + 2);
+    expect_bits(&graph, density.solid_angle, expected->solid_angle);
+    expect_bits(&graph, density.projected_solid_angle, expected->projected_solid_angle);
+    release(&graph, density.solid_angle);
+    release(&graph, density.projected_solid_angle);
+    CHECK(graph.alive == before);
+    return graph.operations;
+}
+
+// A recorder that fails at its n-th node: everything comes back, whatever n.
+static void check_failures(const uint32_t *words, const float *in) {
+    for (unsigned n = 9;; n += 7) {
+        start();
+        const spherecap_recorded_cap_t cap = recorded_cap(&graph, words, in);
+        const spherecap_term_t u[2] = {term(&graph, in[10]), term(&graph, in[11])};
+        const unsigned before = graph.alive;
+        graph.fails_at = n;
+        spherecap_recorded_sample_t sample;
+        spherecap_recorded_density_t density;
+        fill_with_rubbish(&sample, sizeof sample);
+        if (spherecap_record_sample(&recorder, &cap, u, &sample) == SPHERECAP_STATUS_OK) {
+            CHECK(n > 100);
+            return;
+        }
+        CHECK(is_all_zero(&sample, sizeof sample) && graph.alive == before);
+        CHECK(spherecap_record_pdf_on_sphere(&recorder, &cap, cap.normal, &density) ==
+              SPHERECAP_STATUS_RECORDER);
+        CHECK(is_all_zero(&density, sizeof density) && graph.alive == before);
+    }
+}
+
+int main(void) {
+    uint32_t words[WORDS_IN];
+    unsigned lines = 0, sampled = 0, sample_operations = 0, density_operations = 0;
+    while (read_words(words)) {
+        float in[WORDS_IN];
+        for (int i = 0; i < WORDS_IN; ++i) {
+            in[i] = as_float(words[i]);
+        }
+        spherecap_cap_t cap;
+        spherecap_sample_t sample;
+        spherecap_density_t density;
+        const uint32_t status = spherecap_prepare(words[0], words[1], in[2], in + 3, in + 6, in[9], &cap);
+        CHECK(spherecap_sample(&cap, in[10], in[11], &sample) == status);
+        const int is_sampled = status == SPHERECAP_STATUS_OK;
+        const float other[3] = {0.6f, 0.0f, 0.8f}, too_long[3] = {1.0f, 0.0f, 0.1f};
+        const float *directions[3] = {is_sampled ? sample.direction : other, other, too_long};
+        // With nodes for all numbers, and with constants for all: then nothing is recorded but the results.
+        for (int with_nodes = 0; with_nodes < 2; ++with_nodes) {
+            const unsigned a = check_sample(words, in, with_nodes, &sample, is_sampled);
+            sample_operations = a > sample_operations ? a : sample_operations;
+            CHECK(with_nodes || a <= 1);
+            for (int i = 0; i < 3; ++i) {
+                const uint32_t expected = spherecap_pdf_on_sphere(&cap, directions[i], &density);
+                CHECK(status != SPHERECAP_STATUS_OK || (expected == SPHERECAP_STATUS_OK) == (i < 2));
+                const unsigned b = check_density(words, in, with_nodes, directions[i], &density);
+                density_operations = b > density_operations ? b : density_operations;
+            }
+        }
+        if (lines % 500 == 0) {
+            check_failures(words, in);
+        }
+        ++lines;
+        sampled += (unsigned)is_sampled;
+    }
+    printf("%u %u %u %u\n", lines, sampled, sample_operations, density_operations);
+    return 0;
+}
