@@ -209,6 +209,18 @@ impl<L: Lane> Cap<L> {
         self.distance
     }
 
+    /// Sine of the cap's angular radius: the sphere's radius over its centre's distance.
+    #[inline(always)]
+    pub fn radius_sin(&self) -> L {
+        self.radius_sin
+    }
+
+    /// Sine of the elevation of the sphere's centre above the horizon, its cosine with the normal; 0 without a surface.
+    #[inline(always)]
+    pub fn elevation_sin(&self) -> L {
+        self.elevation_sin
+    }
+
     /// Whether the point is inside or on the sphere.
     #[inline(always)]
     pub fn is_inside(&self) -> L::Mask {
