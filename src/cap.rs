@@ -124,15 +124,18 @@ impl<L: Lane> Cap<L> {
         let sideways = normal.cross(c);
         let sideways2 = sideways.dot(sideways);
         let has_side = L::lit(L::MIN_POSITIVE / L::EPSILON).lt(sideways2);
-        let any_side = Vec3::blend(
-            c.x.abs().lt(c.z.abs()),
-            Vec3::new(L::lit(0.0), -c.z, c.y),
-            Vec3::new(-c.y, c.x, L::lit(0.0)),
+        let side = branch!(
+            has_side,
+            sideways,
+            Vec3::blend(
+                c.x.abs().lt(c.z.abs()),
+                Vec3::new(L::lit(0.0), -c.z, c.y),
+                Vec3::new(-c.y, c.x, L::lit(0.0)),
+            )
         );
-        let side = Vec3::blend(has_side, sideways, any_side);
         let side = side * (lit(1.0) / side.dot(side).sqrt());
         let towards_centre = c * inv_d;
-        let frame = [towards_centre, towards_centre.cross(side), side];
+        let frame = [towards_centre, towards_centre.cross_of_perpendicular(side), side];
 
         let s = r * inv_d;
         let gap_root = gap.max(L::lit(0.0)).sqrt();
@@ -177,7 +180,8 @@ impl<L: Lane> Cap<L> {
         let or_zero = |x: L| L::select(on_surface, x, L::lit(0.0));
         Self {
             frame,
-            distance: d / scale,
+            // Exact, as the division by a power of two would be.
+            distance: d * power_of_two_near_reciprocal(scale),
             radius_sin: s,
             radius_cos: v,
             elevation_sin: or_zero(elevation_sin),

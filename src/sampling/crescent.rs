@@ -17,7 +17,7 @@ use crate::cap::Cap;
 use crate::disk::{height_per_power, power_per_height, shape, symmetric, two_thirds_power};
 use crate::fits::CRESCENT;
 use crate::lane::{branch, lit, Lane};
-use crate::math::polynomial;
+use crate::math::polynomial_of_two;
 use crate::offset::Offset;
 
 /// B as a polynomial in V, coefficients ascending.
@@ -92,30 +92,34 @@ impl<L: Lane> Marginal<L> {
         Self { coefficients: [L::lit(0.0); 7] }
     }
 
+    /// For samplers that use it `is_used`: the others are spared the work.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>) -> Self {
+    pub(super) fn new(cap: &Cap<L>, is_used: L::Mask) -> Self {
         let zero = L::lit(0.0);
         let coefficients = branch!(
-            zero.lt(cap.crescent.tau),
+            is_used & zero.lt(cap.crescent.tau),
             {
                 let c = &cap.crescent;
-                let (one, kappa_1, cut_1) = (L::lit(1.0), lit(1.0) + c.kappa, lit(1.0) + c.cut);
-                let inv_cut_1 = one / cut_1;
-                // B(0) from the crescent's ends, B(1) from its middle.
-                let b0 = (c.norm / (kappa_1 * c.shape)).sqrt();
+                let (one, kappa_1) = (L::lit(1.0), lit(1.0) + c.kappa);
+                let inv_cut_1 = one / (lit(1.0) + c.cut);
+                // B(0) = sqrt(N / P) from the crescent's ends, with P = (1 + kappa) H(t); B(1) from its middle. One
+                // division serves both, and the quotient rho.
+                let ends = kappa_1 * c.shape;
+                let inv = one / (c.norm * ends);
+                let inv_root = inv.sqrt();
+                let b0 = c.norm * inv_root;
                 let middle = shape((c.t_x + c.kappa) * inv_cut_1);
-                let b1 = kappa_1 * middle * (inv_cut_1 * inv_cut_1 * inv_cut_1) / c.norm;
-                let rho = b1 / b0 - one;
+                let b1 = kappa_1 * middle * (inv_cut_1 * inv_cut_1 * inv_cut_1) * (ends * inv);
+                let rho = b1.fma(ends * inv_root, -one);
                 let y = one - b1;
-                // Loops, not closures: those are compiled without the caller's target features.
-                let mut beta = [zero; 5];
-                for (j, by_rho) in CRESCENT.iter().enumerate() {
-                    for (a, by_y) in by_rho.iter().rev().enumerate() {
-                        let value = polynomial(y, by_y);
-                        beta[j] = if a == 0 { value } else { beta[j].fma(rho, value) };
-                    }
-                    beta[j] = rho * beta[j];
-                }
+                // One by one: a loop over all of them is not unrolled, and then no coefficient is a constant any more.
+                let beta = [
+                    rho * polynomial_of_two(rho, y, CRESCENT[0]),
+                    rho * polynomial_of_two(rho, y, CRESCENT[1]),
+                    rho * polynomial_of_two(rho, y, CRESCENT[2]),
+                    rho * polynomial_of_two(rho, y, CRESCENT[3]),
+                    rho * polynomial_of_two(rho, y, CRESCENT[4]),
+                ];
                 [
                     b0,
                     (b1 - b0) + beta[0],
@@ -214,7 +218,7 @@ mod tests {
     /// the f64 inverse gives back every 1024th, to what rounding of the offset makes of it: 5e-6 (`tests/properties.rs`).
     fn check(s: f64, kappa: f64) {
         let (single, double) = (cap::<f32>(s, kappa), cap::<f64>(s, kappa));
-        let (marginal, exact) = (Marginal::new(&single), Marginal::new(&double));
+        let (marginal, exact) = (Marginal::new(&single, true), Marginal::new(&double, true));
         let mut worst = 0.0_f64;
         let mut calls = 0_u32;
         exhaustive::check(single.rise * (1.0 + 4.0 * f32::EPSILON), |u| {

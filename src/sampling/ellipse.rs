@@ -10,7 +10,7 @@
 
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, shape, square_to_disk};
-use crate::lane::{lit, Lane};
+use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +18,8 @@ use crate::offset::Offset;
 pub(super) struct Ellipse<L> {
     /// Probability of the crescent beyond the chord `x = t_x`, on the centre's side: 0 in case 1.
     pub crescent_share: L,
+    /// Reciprocal of what is left for the ellipse.
+    inv_rest: L,
     /// Area of the segment that the horizon cuts off the unit disk.
     beyond: L,
 }
@@ -26,18 +28,33 @@ impl<L: Lane> Ellipse<L> {
     /// For samplers that never use it.
     #[inline(always)]
     pub(super) fn unused() -> Self {
-        Self { crescent_share: L::lit(0.0), beyond: L::lit(0.0) }
+        Self { crescent_share: L::lit(0.0), inv_rest: L::lit(1.0), beyond: L::lit(0.0) }
     }
 
+    /// For samplers that use it `is_used`: the others are spared the work.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>) -> Self {
-        let zero = L::lit(0.0);
+    pub(super) fn new(cap: &Cap<L>, is_used: L::Mask) -> Self {
+        let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let c = &cap.crescent;
         let larger = cap.projected_above.max(cap.projected_below);
-        let share = L::select(zero.lt(larger), c.t_y_cubed() * c.shape / larger, zero);
-        // Sine of half the angle that the horizon cuts off the boundary circle.
-        let half_sine = L::select(zero.lt(c.tau), c.tau / cap.elevation_cos, zero);
-        Self { crescent_share: share, beyond: half_sine * half_sine * half_sine * shape(c.cut) }
+        let (crescent_share, inv_rest, beyond) = branch!(
+            is_used & zero.lt(c.tau) & zero.lt(larger),
+            {
+                let crescent = c.t_y_cubed() * c.shape;
+                // Sine of half the angle that the horizon cuts off the boundary circle.
+                let half_sine = c.tau / cap.elevation_cos;
+                let share = crescent / larger;
+                (share, one / (one - share), half_sine * half_sine * half_sine * shape(c.cut))
+            },
+            (zero, one, zero)
+        );
+        Self { crescent_share, inv_rest, beyond }
+    }
+
+    /// What is left of the random number of a side for the ellipse.
+    #[inline(always)]
+    pub(super) fn remap(&self, u0: L) -> L {
+        (u0 - self.crescent_share) * self.inv_rest
     }
 
     /// A direction in the centre's half, as if that were above the horizon.
