@@ -137,7 +137,7 @@ impl<L: Lane> Cap<L> {
         );
         let side = side * (lit(1.0) / side.dot(side).sqrt());
         let towards_centre = c * inv_d;
-        let frame = [towards_centre, towards_centre.cross(side), side];
+        let frame = [towards_centre, towards_centre.cross_of_perpendicular(side), side];
 
         let s = r * inv_d;
         let gap_root = gap.max(L::lit(0.0)).sqrt();
@@ -213,6 +213,18 @@ impl<L: Lane> Cap<L> {
     #[inline(always)]
     pub fn distance(&self) -> L {
         self.distance
+    }
+
+    /// Sine of the cap's angular radius: the sphere's radius over its centre's distance.
+    #[inline(always)]
+    pub fn radius_sin(&self) -> L {
+        self.radius_sin
+    }
+
+    /// Sine of the elevation of the sphere's centre above the horizon, its cosine with the normal; 0 without a surface.
+    #[inline(always)]
+    pub fn elevation_sin(&self) -> L {
+        self.elevation_sin
     }
 
     /// Whether the point is inside or on the sphere.

@@ -125,3 +125,95 @@ pub(crate) fn symmetric<L: Lane>(u: L) -> (L, L) {
     let complement = lit(1.0) - u;
     (u - complement, lit(4.0) * u * complement)
 }
+
+/// What a function of u is over all 2^24 random numbers of a renderer, and 1.
+#[cfg(test)]
+pub(crate) mod exhaustive {
+    pub(crate) const COUNT: u32 = 1 << 24;
+
+    pub(crate) fn number(i: u32) -> f32 {
+        i as f32 / COUNT as f32
+    }
+
+    /// Checks that `value` is finite, in [0, `most`] and monotone: it falls by four units in its last place at most, where
+    /// rounding in the polynomials is larger than the step.
+    pub(crate) fn check(most: f32, mut value: impl FnMut(f32) -> f32) {
+        let mut last = 0.0;
+        let (mut falls, mut worst) = (0, 0.0_f32);
+        for i in 0..=COUNT {
+            let u = number(i);
+            let now = value(u);
+            assert!((0.0..=most).contains(&now), "{now} at {u}");
+            if now < last {
+                falls += 1;
+                worst = worst.max((last - now) / now);
+            }
+            last = now;
+        }
+        println!("falls at {falls} of {COUNT} numbers, by {worst:.1e} at most");
+        assert!(worst < 4.0 * f32::EPSILON, "falls by {worst:e}");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::exhaustive::{check, COUNT};
+    use super::*;
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    /// The residual is the error of the height that matters: of the area, relative. The fit of the inverse leaves 5e-7 of it
+    /// (`fits.rs`, three halves of the height's), the rounding of the height up to 1.5 epsilon.
+    #[test]
+    fn every_area_has_its_height() {
+        let mut worst = 0.0_f64;
+        check(1.0, |u| {
+            let area = u * FRAC_PI_2 as f32;
+            let height = segment_height(area);
+            let residual = (segment_area(f64::from(height)) / f64::from(area) - 1.0).abs();
+            if area > 0.0 {
+                worst = if residual <= worst { worst } else { residual };
+            }
+            height
+        });
+        println!("areas of all {COUNT} heights are off by {worst:.1e} at most");
+        assert!(worst < 1e-6, "{worst:e}");
+    }
+
+    /// The whole disk, and what a chord leaves of it, over both halves. Its inverse, in f64, gives the number back to a few
+    /// roundings of 1.
+    #[test]
+    fn every_number_has_its_place_on_the_disk() {
+        for (beyond, step) in [(0.0, 1), (1.5, 16)] {
+            let mut worst = 0.0_f64;
+            let mut calls = 0_u32;
+            let mut last = 0.0;
+            check(2.0, |u| {
+                calls += 1;
+                if calls % step != 0 {
+                    return last;
+                }
+                last = square_to_disk(u, 0.5, beyond).from_edge;
+                if calls % 64 == 0 {
+                    let [inverse, _] = disk_to_square(f64::from(last), 0.0, f64::from(beyond));
+                    worst = worst.max((inverse - f64::from(u)).abs());
+                }
+                last
+            });
+            assert!(worst < 8.0 * f64::from(f32::EPSILON), "{worst:e}");
+        }
+    }
+
+    /// The area against its definition, where that has no cancellation to speak of.
+    #[test]
+    fn areas_are_those_of_segments() {
+        for i in 1..=1000 {
+            let height = f64::from(i) / 1000.0;
+            let angle = 2.0 * (0.5 * height).sqrt().asin();
+            let area = angle - angle.sin() * angle.cos();
+            let cancelled = f64::EPSILON * angle / area;
+            assert!((segment_area(height) / area - 1.0).abs() < 1e-14 + 4.0 * cancelled, "{height}");
+            assert!((segment_height(area) / height - 1.0).abs() < 1e-14 + 4.0 * cancelled, "{height}");
+        }
+        assert!((segment_area(1.0_f64) - 0.5 * PI).abs() < 1e-14);
+    }
+}

@@ -13,6 +13,17 @@ pub(crate) fn polynomial<L: Lane>(x: L, coefficients: &[f64]) -> L {
     value
 }
 
+/// The sum of `c[a][b] x^a y^b`.
+#[inline(always)]
+pub(crate) fn polynomial_of_two<L: Lane>(x: L, y: L, coefficients: &[&[f64]]) -> L {
+    let mut value = L::lit(0.0);
+    for (i, &by_y) in coefficients.iter().rev().enumerate() {
+        let inner = polynomial(y, by_y);
+        value = if i == 0 { inner } else { value.fma(x, inner) };
+    }
+    value
+}
+
 /// `x^(-1/3)` for `x >= 0`, with a relative error below 3e-7 in f32 and 5e-16 in f64; large but finite at 0, so that
 /// `x * inverse_cube_root(x)` is 0 there. Subnormal `x` give a value of the right magnitude only.
 ///
@@ -34,7 +45,8 @@ pub(crate) fn inverse_cube_root<L: Lane>(x: L) -> L {
 }
 
 /// A power of two `p` such that `p x` lies in about [1/2, 2], for positive normal `x`; a power of two within the
-/// range of the type for every other `x`. Exact, so that scaling a scene by it loses nothing.
+/// range of the type for every other `x`. Exact, so that scaling a scene by it loses nothing; and that of such a power is
+/// its reciprocal.
 #[inline(always)]
 pub(crate) fn power_of_two_near_reciprocal<L: Lane>(x: L) -> L {
     let unit = (L::SIGNIFICAND_BITS as f64).exp2();
@@ -43,7 +55,7 @@ pub(crate) fn power_of_two_near_reciprocal<L: Lane>(x: L) -> L {
     let round = Lit(1.5 * unit);
     let exponent = (x.bits() * Lit(1.0 / unit) + round) - round;
     let bias = L::EXPONENT_BIAS as f64;
-    let reciprocal = (lit(2.0 * bias) - exponent).max(L::lit(1.0));
+    let reciprocal = (lit(2.0 * bias) - exponent).max(L::lit(1.0)).min(L::lit(2.0 * bias - 1.0));
     (reciprocal * Lit(unit)).float_of_bits()
 }
 
@@ -77,11 +89,13 @@ mod tests {
                 let p = power_of_two_near_reciprocal(x);
                 assert_eq!(p.to_bits() & 0x007f_ffff, 0, "{x} {p}");
                 assert!((0.49..4.1).contains(&(p * x)), "{x} {p}");
+                assert_eq!(power_of_two_near_reciprocal(p) * p, 1.0, "{x} {p}");
             }
         }
         for x in [0.0_f32, f32::INFINITY, f32::NAN, 1e-45] {
             let p = power_of_two_near_reciprocal(x);
             assert!(p > 0.0 && p.is_finite(), "{x} {p}");
+            assert_eq!(power_of_two_near_reciprocal(p) * p, 1.0, "{x} {p}");
         }
         assert!((0.49..2.1).contains(&(power_of_two_near_reciprocal(1e300_f64) * 1e300)));
     }

@@ -33,6 +33,19 @@ impl<L: Lane> Cap<L> {
         self.elevation_sin.fma(centre, self.elevation_cos * zenith)
     }
 
+    /// The component towards the centre, `a = sqrt(1 - sin^2)`, of an offset in the cap.
+    ///
+    /// Next to the sphere the limb is at `a = v`, where rounding of the sine leaves the root epsilon / a. There the cosine,
+    /// `cosine = Z a + X zenith`, tells it to epsilon / Z. The mean of both, weighted by the squares of their precision, is known to
+    /// epsilon / sqrt(a^2 + Z^2).
+    #[inline(always)]
+    pub(crate) fn towards_centre(&self, offset: Offset<L>) -> L {
+        let z = self.elevation_sin;
+        let a2 = (lit(1.0) - offset.sin2()).max(L::lit(0.0));
+        let z_a = (-self.elevation_cos).fma(offset.zenith, offset.cosine);
+        a2.fma(a2.sqrt(), z * z_a) / z.fma(z, a2).max(L::lit(L::MIN_POSITIVE))
+    }
+
     /// Offset of a unit direction; outside the cap for directions away from the sphere.
     #[inline(always)]
     pub(crate) fn offset(&self, direction: Vec3<L>) -> Offset<L> {

@@ -41,6 +41,17 @@ impl<L: Lane> Vec3<L> {
         )
     }
 
+    /// Vector product of unit vectors at a right angle, each component to within an epsilon: nothing cancels there that
+    /// would matter to the length.
+    #[inline(always)]
+    pub(crate) fn cross_of_perpendicular(self, other: Self) -> Self {
+        Self::new(
+            self.y.fma(other.z, -(self.z * other.y)),
+            self.z.fma(other.x, -(self.x * other.z)),
+            self.x.fma(other.y, -(self.y * other.x)),
+        )
+    }
+
     /// `self * a + other * b + third * c`: a vector given by its components in a frame.
     #[inline(always)]
     pub(crate) fn combine(frame: [Self; 3], [a, b, c]: [L; 3]) -> Self {

@@ -20,11 +20,10 @@ fn width_scale2<L: Lane>(cap: &Cap<L>, cosine: L) -> L {
     (lit(1.0) + cosine / depth) / (lit(1.0) + cosine / cap.rise)
 }
 
-/// `h = 1 - sqrt(1 - y^2 - z^2)`.
+/// x of the cap's boundary at the height `cosine` above the horizon: `t_x + |Z| z / X`.
 #[inline(always)]
-fn height<L: Lane>(y: L, z: L) -> L {
-    let sin2 = y.fma(y, z * z);
-    sin2 / (lit(1.0) + (lit(1.0) - sin2).max(L::lit(0.0)).sqrt())
+fn limb<L: Lane>(cap: &Cap<L>, cosine: L) -> L {
+    cap.elevation().fma(cosine, cap.radius_cos) / cap.elevation_cos
 }
 
 /// A direction in the crescent, or (`is_segment`) in the part of the centre's side beyond the chord, which needs no warp.
@@ -39,18 +38,53 @@ pub(super) fn sample<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, u0: L, u1: L) -
     let (y, z) = (radius * u, radius * v2.sqrt());
 
     let warped_z = z * (cap.rise / c.t_y);
-    let warped_y = y * width_scale2(cap, warped_z).sqrt();
+    let scale2 = width_scale2(cap, warped_z);
+    let warped_y = y * scale2.sqrt();
+    // The warp sends the chord to the limb, and squared distances from it scale by s_y^2. Rounding may leave h above the width.
+    let beyond_chord = (c.width - h).max(L::lit(0.0)) * (lit(1.0) - h + c.t_x);
+    let limb = limb(cap, warped_z);
+    let warped_x = limb.fma(limb, scale2 * beyond_chord).sqrt();
+    let warped_h = warped_y.fma(warped_y, warped_z * warped_z) / (lit(1.0) + warped_x);
     let pick = |segment: L, warped: L| L::select(is_segment, segment, warped);
-    let h = pick(h, height(warped_y, warped_z));
-    crescent::offset(cap, is_segment, h, pick(y, warped_y), pick(z, warped_z))
+    crescent::offset(cap, is_segment, pick(h, warped_h), pick(y, warped_y), pick(z, warped_z))
 }
 
-/// The point of the cut disk that the warp sends to an offset: its `d_y`, `d_z` and `s_y`.
+/// A point of the cut disk and where the warp sends it.
+struct Warp<L> {
+    /// The point of the cut disk.
+    d_x: L,
+    d_y: L,
+    d_z: L,
+    /// The offset's own x.
+    w_x: L,
+    /// `s_y`.
+    width: L,
+}
+
+/// The warp that leads to an offset in the crescent, on either side of the horizon.
+///
+/// With `x_l` on the limb at the same height, `d_x^2 - t_x^2 = (w_x^2 - x_l^2) / s_y^2`: next to the sphere, where all four are
+/// close to 0, `1 - d_y^2 - d_z^2` would lose them.
 #[inline(always)]
-fn unwarp<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> [L; 3] {
-    let cosine = offset.cosine.abs();
-    let width = width_scale2(cap, cosine).sqrt();
-    [offset.side / width, cosine * (cap.crescent.t_y / cap.rise), width]
+fn unwarp<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> Warp<L> {
+    let Offset { zenith, side, cosine } = offset;
+    let cosine = cosine.abs();
+    let scale2 = width_scale2(cap, cosine);
+    let width = scale2.sqrt();
+    // As above the horizon: there the zenith of a crescent's offset is positive.
+    let above = Offset { zenith: zenith.abs(), side, cosine };
+    let limb = limb(cap, cosine);
+    // It is at least x_l in the cap, which next to the sphere rounding may hide.
+    let w_x = crescent::abscissa(cap, never::<L>(), above).max(limb);
+    let t_x = cap.crescent.t_x;
+    let d_x = t_x.fma(t_x, (w_x - limb) * (w_x + limb) / scale2).sqrt();
+    Warp { d_x, d_y: side / width, d_z: cosine * (cap.crescent.t_y / cap.rise), w_x, width }
+}
+
+/// The mask that is false.
+#[inline(always)]
+fn never<L: Lane>() -> L::Mask {
+    L::lit(1.0).lt(L::lit(0.0))
 }
 
 /// The density over that of a uniform one: `t_y^2 E w_x / (rise^2 A_D d_x s_y)` with the area `A_D` of the cut disk and
@@ -58,23 +92,21 @@ fn unwarp<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> [L; 3] {
 #[inline(always)]
 pub(super) fn relative_density<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> L {
     let c = &cap.crescent;
-    let [d_y, d_z, width] = unwarp(cap, offset);
-    // Both are at least t_x (Section 3.2), which next to the sphere is all that rounding leaves of them.
-    let x2 = |y: L, z: L| (lit(1.0) - y.fma(y, z * z)).max(c.t_x * c.t_x);
-    let (d_x2, w_x2) = (x2(d_y, d_z), x2(offset.side, offset.cosine));
+    let Warp { d_x, w_x, width, .. } = unwarp(cap, offset);
     let stretch = c.t_y / cap.rise;
     let crescent = cap.projected_above.min(cap.projected_below);
     let areas = crescent / (c.t_y_cubed() * c.shape);
-    stretch * stretch * areas * (w_x2 / d_x2).sqrt() / width
+    stretch * stretch * areas * w_x / (d_x * width)
 }
 
 /// The random numbers of [`sample`].
 #[inline(always)]
 pub(super) fn invert<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, offset: Offset<L>) -> [L; 2] {
-    let [d_y, d_z, _] = unwarp(cap, offset);
+    let Warp { d_x, d_y, d_z, .. } = unwarp(cap, offset);
+    let x = L::select(is_segment, crescent::abscissa(cap, is_segment, offset), d_x);
     let y = L::select(is_segment, offset.side, d_y);
     let z = L::select(is_segment, offset.cosine, d_z);
-    let h = height(y, z);
+    let h = y.fma(y, z * z) / (lit(1.0) + x);
     let end = cap.crescent.width;
     let ratio = h * power_per_height(h) / (end * power_per_height(end));
     let radius = y.fma(y, z * z).sqrt();

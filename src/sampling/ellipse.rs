@@ -18,6 +18,8 @@ use crate::offset::Offset;
 pub(super) struct Ellipse<L> {
     /// Probability of the crescent beyond the chord `x = t_x`, on the centre's side: 0 in case 1.
     pub crescent_share: L,
+    /// Reciprocal of what is left for the ellipse.
+    inv_rest: L,
     /// Area of the segment that the horizon cuts off the unit disk.
     beyond: L,
 }
@@ -26,25 +28,33 @@ impl<L: Lane> Ellipse<L> {
     /// For samplers that never use it.
     #[inline(always)]
     pub(super) fn unused() -> Self {
-        Self { crescent_share: L::lit(0.0), beyond: L::lit(0.0) }
+        Self { crescent_share: L::lit(0.0), inv_rest: L::lit(1.0), beyond: L::lit(0.0) }
     }
 
+    /// For samplers that use it `is_used`: the others are spared the work.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>) -> Self {
-        let zero = L::lit(0.0);
+    pub(super) fn new(cap: &Cap<L>, is_used: L::Mask) -> Self {
+        let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let c = &cap.crescent;
-        let [crescent_share, beyond] = branch!(
-            zero.lt(c.tau),
+        let larger = cap.projected_above.max(cap.projected_below);
+        let (crescent_share, inv_rest, beyond) = branch!(
+            is_used & zero.lt(c.tau) & zero.lt(larger),
             {
-                let larger = cap.projected_above.max(cap.projected_below);
-                let share = L::select(zero.lt(larger), c.t_y_cubed() * c.shape / larger, zero);
+                let crescent = c.t_y_cubed() * c.shape;
                 // Sine of half the angle that the horizon cuts off the boundary circle.
                 let half_sine = c.tau / cap.elevation_cos;
-                [share, half_sine * half_sine * half_sine * shape(c.cut)]
+                let share = crescent / larger;
+                (share, one / (one - share), half_sine * half_sine * half_sine * shape(c.cut))
             },
-            [zero; 2]
+            (zero, one, zero)
         );
-        Self { crescent_share, beyond }
+        Self { crescent_share, inv_rest, beyond }
+    }
+
+    /// What is left of the random number of a side for the ellipse.
+    #[inline(always)]
+    pub(super) fn remap(&self, u0: L) -> L {
+        (u0 - self.crescent_share) * self.inv_rest
     }
 
     /// A direction in the centre's half, as if that were above the horizon.
@@ -68,23 +78,48 @@ impl<L: Lane> Ellipse<L> {
     /// Whether a direction on the centre's side is on the ellipse's side of the chord: always, without a cut.
     #[inline(always)]
     pub(super) fn contains(&self, cap: &Cap<L>, offset: Offset<L>) -> L::Mask {
-        let a = (lit(1.0) - offset.sin2()).max(L::lit(0.0)).sqrt();
-        let x = cap.elevation_cos.fma(a, -(cap.elevation() * offset.zenith));
-        // Beyond the chord y^2 + z^2 is below t_y^2, and x is positive. Small caps lose x, but not y and z.
+        let zero = L::lit(0.0);
+        let c = &cap.crescent;
+        let (x, z) = (cap.elevation_cos, cap.elevation());
+        let a = (lit(1.0) - offset.sin2()).max(zero).sqrt();
+        let is_behind = x.fma(a, -(z * offset.zenith)).lt(zero);
+        // How far x is beyond t_x, by y^2 + z^2 = 1 - x^2, which small caps resolve, and by Z x = X z - zenith, which the
+        // limb of large ones does: weighted as in `crescent::abscissa`.
         let radius2 = offset.side.fma(offset.side, offset.cosine * offset.cosine);
-        let t_y = cap.crescent.t_y;
-        x.lt(L::lit(0.0)) | (t_y * t_y).le(radius2)
+        let by_radius = c.t_y.fma(c.t_y, -radius2) * ((lit(1.0) - radius2).max(zero).sqrt() + c.t_x);
+        let by_zenith = z * (x.fma(offset.cosine, -offset.zenith) - z * c.t_x);
+        let is_beyond = zero.lt(c.tau) & zero.lt(by_radius + by_zenith);
+        is_behind | !is_beyond
     }
 
     /// The random numbers of [`Ellipse::sample`].
     #[inline(always)]
     pub(super) fn invert(&self, cap: &Cap<L>, offset: Offset<L>) -> [L; 2] {
         let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
-        // x - X v = X (a - v) - Z zenith, with a - v = (s^2 - sin^2) / (a + v).
+        let (zero, one) = (L::lit(0.0), L::lit(1.0));
+        let (v, s2) = (cap.radius_cos, s * s);
+        // What follows is x - X v three times over, in means weighted by the squares of the precision.
+        // First, X (a - v) - Z zenith. By the sine, a - v = (s^2 - sin^2) / (a + v), known to epsilon s^2 / (a + v); by the
+        // cosine, a - v = (z - X zenith - Z v) / Z, known to epsilon / Z: next to the sphere that is better.
         let sin2 = offset.sin2();
-        let a = (lit(1.0) - sin2).max(L::lit(0.0)).sqrt();
-        let inwards = s.fma(s, -sin2) / (a + cap.radius_cos);
-        let xi = x.fma(inwards, -(z_centre * offset.zenith)) / (s * z_centre);
-        disk_to_square(lit(1.0) - xi, offset.side / s, self.beyond)
+        let sum = (one - sin2).max(zero).sqrt() + v;
+        let s4z = s2 * s2 * z_centre;
+        let by_cosine = (-x).fma(offset.zenith, (-z_centre).fma(v, offset.cosine));
+        let sum2 = s4z.fma(z_centre, sum * sum);
+        let inwards = s.fma(s, -sin2).fma(sum, s4z * by_cosine) / sum2;
+        let across = x.fma(inwards, -(z_centre * offset.zenith));
+        let unit = z_centre.fma(s, x * s2 / sum2.sqrt());
+        // Second, by 1 - x = (y^2 + z^2) / (1 + x), known to epsilon (1 - x): better where the cap touches the horizon. There
+        // the zenith tells nothing of x.
+        let abscissa = x.fma(v, across);
+        let depth = offset.side.fma(offset.side, offset.cosine * offset.cosine) / (one + abscissa.max(zero));
+        // Both from the horizon's end, where x is X v + s Z and the boundary at the height -rise.
+        let sz = s * z_centre;
+        let end_depth = cap.rise * cap.rise / (one + x.fma(v, sz));
+        let ratio = depth / unit;
+        let weight = ratio * ratio;
+        let mean = weight.fma(sz - across, depth - end_depth) / (weight + one);
+        let from_end = L::select(zero.lt(abscissa), mean, sz - across);
+        disk_to_square(from_end / sz, offset.side / s, self.beyond)
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn sample<L: Lane>(cap: &Cap<L>, u0: L, u1: L) -> Offset<L> {
 #[inline(always)]
 pub(super) fn invert<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> [L; 2] {
     let sin2 = offset.sin2();
-    let depth = sin2 / (lit(1.0) + (lit(1.0) - sin2).max(L::lit(0.0)).sqrt());
+    let depth = sin2 / (lit(1.0) + cap.towards_centre(offset));
     let per_scale = lit(1.0) / (height(cap) * (lit(2.0) - depth)).sqrt();
     let from_edge = offset.zenith.fma(per_scale, L::lit(1.0));
     disk_to_square(from_edge, offset.side * per_scale, L::lit(0.0))

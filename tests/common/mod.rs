@@ -4,7 +4,7 @@
 
 pub mod quadrature;
 
-use spherecap::{Hemispheres, Lane, Sampler, Scalar, Strategy, Technique, Vec3};
+use spherecap::{Hemispheres, Lane, Offset, Sampler, Scalar, Strategy, Technique, Vec3};
 
 /// A normal, a centre and a radius, in f64 but exactly representable in f32.
 #[derive(Clone, Copy, Debug)]
@@ -124,6 +124,38 @@ pub fn strategies<F: Scalar>() -> Vec<Strategy<F>> {
         }
     }
     all
+}
+
+/// An offset in f64.
+pub fn widen<F: Scalar>(offset: Offset<F>) -> Offset<f64> {
+    Offset { zenith: offset.zenith.into(), side: offset.side.into(), cosine: offset.cosine.into() }
+}
+
+/// The offsets that are as good as this one to precision `epsilon`: with one of its three numbers moved by eight units in its
+/// last place, as the rounding of a sample (and of s) may have moved it. For the components that is a unit of the cap's radius
+/// (they are sums over the whole cap), and for the cosine one of its own; or, where it is no coordinate of the map but
+/// computed from the components, one of theirs.
+pub fn neighbours(
+    exact: &Sampler<f64>,
+    technique: Technique,
+    offset: Offset<f64>,
+    epsilon: f64,
+) -> [Offset<f64>; 6] {
+    let s = exact.cap().radius_sin();
+    let cosine_unit = match technique {
+        Technique::SolidAngle => exact.cap().elevation_sin().abs() + s,
+        _ => offset.cosine.abs(),
+    };
+    std::array::from_fn(|i| {
+        let unit = if i < 3 { 8.0 * epsilon } else { -8.0 * epsilon };
+        let mut moved = offset;
+        match i % 3 {
+            0 => moved.zenith += unit * s,
+            1 => moved.side += unit * s,
+            _ => moved.cosine += unit * cosine_unit,
+        }
+        moved
+    })
 }
 
 /// Rows of a reference file, the header left out.
