@@ -77,8 +77,9 @@ pub(crate) struct Crescent<L> {
     pub width: L,
     /// `e = kappa t_x = |c_z| / r_z`: where the horizon cuts the ellipse, relative to its half axis.
     pub cut: L,
-    /// `H(t_x)`.
+    /// `H(t_x)` and `H(e)`.
     pub shape: L,
+    pub shape_cut: L,
     /// `N`, in [4/15, pi/2].
     pub norm: L,
 }
@@ -149,7 +150,7 @@ impl<L: Lane> Cap<L> {
         let elevation_sin = L::select(sets, -z, z);
         let rise = q * inv_d * inv_d / s.fma(elevation_cos, v * z);
 
-        let [kappa, tau, t_x, t_y, width, cut, shape, norm, crescent_area] = branch!(
+        let [kappa, tau, t_x, t_y, width, cut, shape, shape_cut, norm, crescent_area] = branch!(
             is_cut,
             {
                 let inv_r = lit(1.0) / r;
@@ -159,13 +160,25 @@ impl<L: Lane> Cap<L> {
                 let (t_x, t_y) = (gap_root * inv_x_d, q_root * inv_x_d);
                 let cut = kappa * t_x;
                 let (shape, difference) = shape_and_difference(t_x, cut);
+                let shape_cut = (cut - t_x).fma(difference, shape);
                 let norm = cut.fma(difference, shape);
                 let area = t_y * t_y * t_y * (r_minus_h * inv_r) * norm;
-                [kappa, q_root * inv_r, t_x, t_y, t_y * t_y / (lit(1.0) + t_x), cut, shape, norm, area]
+                [
+                    kappa,
+                    q_root * inv_r,
+                    t_x,
+                    t_y,
+                    t_y * t_y / (lit(1.0) + t_x),
+                    cut,
+                    shape,
+                    shape_cut,
+                    norm,
+                    area,
+                ]
             },
-            [L::lit(0.0); 9]
+            [L::lit(0.0); 10]
         );
-        let crescent = Crescent { kappa, tau, t_x, t_y, width, cut, shape, norm };
+        let crescent = Crescent { kappa, tau, t_x, t_y, width, cut, shape, shape_cut, norm };
 
         // The whole cap, projected, is an ellipse with half axes s and s |Z|.
         let ellipse_area = s * s * z * lit(PI);

@@ -9,7 +9,7 @@
 //! `z - Z v = s (X xi (s X xi - 2 Z v) + s (1 - xi^2 - eta^2)) / (z + Z v)`.
 
 use crate::cap::Cap;
-use crate::disk::{disk_to_square, shape, square_to_disk};
+use crate::disk::{disk_to_square, DiskPoint};
 use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 
@@ -21,7 +21,24 @@ pub(super) struct Ellipse<L> {
     /// Reciprocal of what is left for the ellipse.
     inv_rest: L,
     /// Area of the segment that the horizon cuts off the unit disk.
-    beyond: L,
+    pub beyond: L,
+}
+
+/// The direction for a point of the unit disk on this side of the chord, as if the centre were above the horizon.
+#[inline(always)]
+pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
+    let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
+    let sx = s * x;
+    let xi = lit(1.0) - point.from_edge;
+    let rim = sx.fma(point.from_edge, -cap.rise).max(L::lit(0.0));
+    let rest = point.chord2 * point.across_complement;
+    let bulge = s * s * rest;
+    let cosine = rim.fma(rim, bulge).sqrt();
+    let side = s * point.chord2.sqrt() * point.across;
+    let zv = z_centre * cap.radius_cos;
+    let climb = (x * xi).fma(sx.fma(xi, lit(-2.0) * zv), s * rest) / (cosine + zv);
+    let zenith = s * x.fma(climb, -(z_centre * z_centre * xi));
+    Offset { zenith, side, cosine }
 }
 
 impl<L: Lane> Ellipse<L> {
@@ -44,7 +61,7 @@ impl<L: Lane> Ellipse<L> {
                 // Sine of half the angle that the horizon cuts off the boundary circle.
                 let half_sine = c.tau / cap.elevation_cos;
                 let share = crescent / larger;
-                (share, one / (one - share), half_sine * half_sine * half_sine * shape(c.cut))
+                (share, one / (one - share), half_sine * half_sine * half_sine * c.shape_cut)
             },
             (zero, one, zero)
         );
@@ -55,24 +72,6 @@ impl<L: Lane> Ellipse<L> {
     #[inline(always)]
     pub(super) fn remap(&self, u0: L) -> L {
         (u0 - self.crescent_share) * self.inv_rest
-    }
-
-    /// A direction in the centre's half, as if that were above the horizon.
-    #[inline(always)]
-    pub(super) fn sample(&self, cap: &Cap<L>, u0: L, u1: L) -> Offset<L> {
-        let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
-        let point = square_to_disk(u0, u1, self.beyond);
-        let sx = s * x;
-        let xi = lit(1.0) - point.from_edge;
-        let rim = sx.fma(point.from_edge, -cap.rise).max(L::lit(0.0));
-        let rest = point.chord2 * point.across_complement;
-        let bulge = s * s * rest;
-        let cosine = rim.fma(rim, bulge).sqrt();
-        let side = s * point.chord2.sqrt() * point.across;
-        let zv = z_centre * cap.radius_cos;
-        let climb = (x * xi).fma(sx.fma(xi, lit(-2.0) * zv), s * rest) / (cosine + zv);
-        let zenith = s * x.fma(climb, -(z_centre * z_centre * xi));
-        Offset { zenith, side, cosine }
     }
 
     /// Whether a direction on the centre's side is on the ellipse's side of the chord: always, without a cut.
@@ -92,7 +91,7 @@ impl<L: Lane> Ellipse<L> {
         is_behind | !is_beyond
     }
 
-    /// The random numbers of [`Ellipse::sample`].
+    /// The random numbers of [`place`].
     #[inline(always)]
     pub(super) fn invert(&self, cap: &Cap<L>, offset: Offset<L>) -> [L; 2] {
         let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());

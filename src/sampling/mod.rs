@@ -16,7 +16,7 @@ mod ellipse;
 mod solid_angle;
 
 use crate::cap::Cap;
-use crate::disk::{shape, shape_and_difference};
+use crate::disk::{shape_and_difference, square_to_disk};
 use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 use crate::vec3::Vec3;
@@ -194,53 +194,70 @@ impl<L: Lane> Sampler<L> {
     pub fn sample(&self, u0: L, u1: L) -> Sample<L> {
         let (u0, u1) = (interior(u0), interior(u1));
         let offset = match self.technique {
-            Technique::SolidAngle => solid_angle::sample(&self.cap, u0, u1),
-            _ => {
-                let is_mixed = L::lit(0.0).lt(self.defensive);
-                let is_defensive = u0.lt(self.defensive);
-                branch!(is_defensive, solid_angle::sample(&self.cap, interior(u0 / self.defensive), u1), {
-                    let u0 = branch!(is_mixed, remap(u0, self.defensive), u0);
-                    self.sample_projected(u0, u1)
-                })
-            }
+            Technique::SolidAngle => solid_angle::place(&self.cap, square_to_disk(u0, u1, L::lit(0.0))),
+            _ => self.sample_mixture(u0, u1),
         };
         let density = self.pdf_on_sphere(offset);
         let (direction, distance, normal) = self.cap.hit(offset);
         Sample { offset, direction, distance, normal, density }
     }
 
-    /// A direction by the projected technique, on one side or both.
+    /// A direction by solid angle or by the projected technique, on one side or both: `u0` chooses, and what is left of it is
+    /// used again.
     #[inline(always)]
-    fn sample_projected(&self, u0: L, u1: L) -> Offset<L> {
-        let cap = &self.cap;
-        let centre_above = L::lit(0.0).lt(cap.elevation_sin);
+    fn sample_mixture(&self, u0: L, u1: L) -> Offset<L> {
+        let one = L::lit(1.0);
+        let is_plain = u0.lt(self.defensive);
+        let u0 = branch!(
+            L::lit(0.0).lt(self.defensive),
+            branch!(is_plain, interior(u0 / self.defensive), remap(u0, self.defensive)),
+            u0
+        );
+        let centre_above = L::lit(0.0).lt(self.cap.elevation_sin);
         match self.hemispheres {
-            Hemispheres::Front => self.sample_side(centre_above, u0, u1),
+            Hemispheres::Front => self.sample_part(is_plain, centre_above, u0, u1),
             Hemispheres::Both => {
-                let above = u0.lt(self.share_above);
-                let u0 = L::select(above, interior(u0 / self.share_above), remap(u0, self.share_above));
+                let above = is_plain | u0.lt(self.share_above);
+                let side_u0 = L::select(above, interior(u0 / self.share_above), remap(u0, self.share_above));
                 // The centre's side is the one where both or neither are above.
-                let same = (above & centre_above) | (!above & !centre_above);
-                let Offset { zenith, side, cosine } = self.sample_side(same, u0, u1);
+                let centre_side = (above & centre_above) | (!above & !centre_above);
+                let u0 = L::select(is_plain, u0, side_u0);
+                let Offset { zenith, side, cosine } = self.sample_part(is_plain, centre_side, u0, u1);
                 // Below the horizon all is mirrored.
-                let sign = L::select(above, L::lit(1.0), L::lit(-1.0));
+                let sign = L::select(above, one, -one);
                 Offset { zenith: zenith * sign, side, cosine: cosine * sign }
             }
         }
     }
 
-    /// A direction on the side of the horizon where the centre is, or on the other, as if that side were above.
+    /// A direction in the whole cap by solid angle, or on the side of the horizon where the centre is, or on the other as if
+    /// that side were above.
     #[inline(always)]
-    fn sample_side(&self, centre_side: L::Mask, u0: L, u1: L) -> Offset<L> {
-        let in_ellipse = centre_side & self.ellipse.crescent_share.le(u0);
-        branch!(in_ellipse, self.ellipse.sample(&self.cap, interior(self.ellipse.remap(u0)), u1), {
-            // In case 2 the part beyond the chord, which starts the ellipse, is the crescent of a cap with kappa = 0.
-            let u0 = L::select(centre_side, interior(u0 / self.ellipse.crescent_share), u0);
-            match self.technique {
-                Technique::Projected => self.marginal.sample(&self.cap, centre_side, u0, u1),
-                _ => bounded::sample(&self.cap, centre_side, u0, u1),
+    fn sample_part(&self, is_plain: L::Mask, centre_side: L::Mask, u0: L, u1: L) -> Offset<L> {
+        let cap = &self.cap;
+        let share = self.ellipse.crescent_share;
+        // Both are maps of a disk: one serves them.
+        let is_disk = is_plain | (centre_side & share.le(u0));
+        branch!(
+            is_disk,
+            {
+                let (u0, beyond) = branch!(
+                    is_plain,
+                    (u0, L::lit(0.0)),
+                    (interior(self.ellipse.remap(u0)), self.ellipse.beyond)
+                );
+                let point = square_to_disk(u0, u1, beyond);
+                branch!(is_plain, solid_angle::place(cap, point), ellipse::place(cap, point))
+            },
+            {
+                // In case 2 the part beyond the chord, which starts the ellipse, is the crescent of a cap with kappa = 0.
+                let u0 = L::select(centre_side, interior(u0 / share), u0);
+                match self.technique {
+                    Technique::Projected => self.marginal.sample(cap, centre_side, u0, u1),
+                    _ => bounded::sample(cap, centre_side, u0, u1),
+                }
             }
-        })
+        )
     }
 
     /// Density of the direction with this offset; zero outside the cap, and where the strategy samples nothing. For an
@@ -417,7 +434,7 @@ fn share_above<L: Lane>(cap: &Cap<L>) -> L {
             let m = c.tau * c.tau * inv_x2 / (lit(1.0) + c.t_x);
             let (_, difference) = shape_and_difference(c.kappa, c.cut);
             let bracket =
-                (c.kappa * m).fma(difference, shape(c.cut).fma(m - c.kappa * c.kappa, c.kappa) * inv_x2);
+                (c.kappa * m).fma(difference, c.shape_cut.fma(m - c.kappa * c.kappa, c.kappa) * inv_x2);
             let share = c.tau * c.tau * c.tau * (cap.radius_cos + lit(1.0)) * bracket * lit(1.0 / PI);
             share.max(L::lit(0.0)).min(L::lit(0.5))
         },

@@ -4,7 +4,7 @@
 //! angle with `1 - cos = (1 - v) rho^2`, hence `sin = rho sqrt((1 - v)(2 - (1 - v) rho^2))`, with `1 - v = s^2 / (1 + v)`.
 
 use crate::cap::Cap;
-use crate::disk::{disk_to_square, square_to_disk};
+use crate::disk::{disk_to_square, DiskPoint};
 use crate::lane::{lit, Lane};
 use crate::offset::Offset;
 
@@ -14,9 +14,9 @@ fn height<L: Lane>(cap: &Cap<L>) -> L {
     cap.radius_sin * cap.radius_sin / (lit(1.0) + cap.radius_cos)
 }
 
+/// The direction for a point of the unit disk.
 #[inline(always)]
-pub(super) fn sample<L: Lane>(cap: &Cap<L>, u0: L, u1: L) -> Offset<L> {
-    let point = square_to_disk(u0, u1, L::lit(0.0));
+pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
     let height = height(cap);
     // 1 - rho^2 = (1 - x^2)(1 - across^2).
     let rest = point.chord2 * point.across_complement;
