@@ -44,14 +44,17 @@ pub struct Cap<L> {
     pub(crate) distance: L,
     /// `s = r/d`, the sine of the cap's angular radius, in (0, 1).
     pub(crate) radius_sin: L,
+    /// `1/s`.
+    pub(crate) inv_radius_sin: L,
     /// `v`, its cosine.
     pub(crate) radius_cos: L,
     /// `Z`, the sine of the centre's elevation above the horizon (its cosine with the normal), in [-1, 1].
     pub(crate) elevation_sin: L,
     /// `X`, the cosine of the elevation, in [0, 1]. Both are 0 without a surface.
     pub(crate) elevation_cos: L,
-    /// Solid angle of the whole cap, in steradians.
+    /// Solid angle of the whole cap, in steradians, and its reciprocal; both 0 where nothing is visible.
     pub(crate) solid_angle: L,
+    pub(crate) inv_solid_angle: L,
     /// What the horizon cuts off; all zero in cases 1 and 4.
     pub(crate) crescent: Crescent<L>,
     /// `(s^2 - Z^2) / (s X + v |Z|)`: how far the crescent rises above (or hangs below) the horizon, `c_z + r_z` in case 3.
@@ -75,6 +78,8 @@ pub(crate) struct Crescent<L> {
     pub t_y: L,
     /// `1 - t_x`.
     pub width: L,
+    /// `1 / (1 + e)`.
+    pub inv_cut_1: L,
     /// `e = kappa t_x = |c_z| / r_z`: where the horizon cuts the ellipse, relative to its half axis.
     pub cut: L,
     /// `H(t_x)` and `H(e)`.
@@ -101,7 +106,7 @@ impl<L: Lane> Cap<L> {
     #[inline(always)]
     pub fn new(normal: Vec3<L>, centre: Vec3<L>, radius: L) -> Self {
         let longest = centre.x.abs().max(centre.y.abs()).max(centre.z.abs()).max(radius);
-        let scale = power_of_two_near_reciprocal(longest);
+        let [scale, unscale] = power_of_two_near_reciprocal(longest);
         let (c, r) = (centre * scale, radius * scale);
 
         let d2 = dot(c, c);
@@ -140,7 +145,8 @@ impl<L: Lane> Cap<L> {
         let towards_centre = c * inv_d;
         let frame = [towards_centre, towards_centre.cross_of_perpendicular(side), side];
 
-        let s = r * inv_d;
+        let inv_r = lit(1.0) / r;
+        let (s, inv_s) = (r * inv_d, d * inv_r);
         let gap_root = gap.max(L::lit(0.0)).sqrt();
         let v = gap_root * inv_d;
         // (X d)^2 = d^2 - h^2 is the sum of two positives where the horizon cuts, and the vector product elsewhere.
@@ -150,10 +156,9 @@ impl<L: Lane> Cap<L> {
         let elevation_sin = L::select(sets, -z, z);
         let rise = q * inv_d * inv_d / s.fma(elevation_cos, v * z);
 
-        let [kappa, tau, t_x, t_y, width, cut, shape, shape_cut, norm, crescent_area] = branch!(
+        let [kappa, tau, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm, crescent_area] = branch!(
             is_cut,
             {
-                let inv_r = lit(1.0) / r;
                 let kappa = h * inv_r;
                 let q_root = q.sqrt();
                 let inv_x_d = lit(1.0) / x_d;
@@ -163,29 +168,24 @@ impl<L: Lane> Cap<L> {
                 let shape_cut = (cut - t_x).fma(difference, shape);
                 let norm = cut.fma(difference, shape);
                 let area = t_y * t_y * t_y * (r_minus_h * inv_r) * norm;
-                [
-                    kappa,
-                    q_root * inv_r,
-                    t_x,
-                    t_y,
-                    t_y * t_y / (lit(1.0) + t_x),
-                    cut,
-                    shape,
-                    shape_cut,
-                    norm,
-                    area,
-                ]
+                // One division for two.
+                let (t_1, cut_1) = (lit(1.0) + t_x, lit(1.0) + cut);
+                let inv_both = lit(1.0) / (t_1 * cut_1);
+                let (width, inv_cut_1) = (t_y * t_y * (inv_both * cut_1), inv_both * t_1);
+                [kappa, q_root * inv_r, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm, area]
             },
-            [L::lit(0.0); 10]
+            [L::lit(0.0); 11]
         );
-        let crescent = Crescent { kappa, tau, t_x, t_y, width, cut, shape, shape_cut, norm };
+        let crescent = Crescent { kappa, tau, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm };
 
         // The whole cap, projected, is an ellipse with half axes s and s |Z|.
         let ellipse_area = s * s * z * lit(PI);
         let larger = ellipse_area + crescent_area;
         let above = L::select(sets, crescent_area, larger);
         let below = L::select(sets, larger, crescent_area);
+        // 2 pi (1 - v).
         let solid_angle = s * s / (lit(1.0) + v) * lit(2.0 * PI);
+        let inv_solid_angle = (lit(1.0) + v) * (inv_s * inv_s) * lit(0.5 / PI);
         // A sphere that looks so small that differences of its s^2 underflow (s < 3e-16 in f32) lights nothing; nor does a
         // part of it whose density would overflow (an area below about 1e-37).
         let is_visible = outside & L::lit(L::MIN_POSITIVE / L::EPSILON).lt(s * s);
@@ -196,12 +196,14 @@ impl<L: Lane> Cap<L> {
         Self {
             frame,
             normal,
-            distance: d / scale,
+            distance: d * unscale,
             radius_sin: s,
+            inv_radius_sin: inv_s,
             radius_cos: v,
             elevation_sin: or_zero(elevation_sin),
             elevation_cos: or_zero(elevation_cos),
             solid_angle: L::select(is_visible, solid_angle, L::lit(0.0)),
+            inv_solid_angle: L::select(is_visible, inv_solid_angle, L::lit(0.0)),
             crescent,
             rise: or_zero(rise),
             projected_above: part(above),

@@ -79,7 +79,7 @@ impl<L: Lane> Cap<L> {
         let (q, a) = (q2.sqrt(), v.fma(v, q2).sqrt());
         let distance = v * v / (a + q);
         let direction = Vec3::combine(self.frame, [a, offset.zenith, offset.side]);
-        let inv_s = lit(1.0) / s;
+        let inv_s = self.inv_radius_sin;
         let across = distance * inv_s;
         let normal = Vec3::combine(
             self.frame,

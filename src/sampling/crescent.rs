@@ -101,15 +101,14 @@ impl<L: Lane> Marginal<L> {
             {
                 let c = &cap.crescent;
                 let (one, kappa_1) = (L::lit(1.0), lit(1.0) + c.kappa);
-                let inv_cut_1 = one / (lit(1.0) + c.cut);
                 // B(0) = sqrt(N / P) from the crescent's ends, with P = (1 + kappa) H(t); B(1) from its middle. One
                 // division serves both, and the quotient rho.
                 let ends = kappa_1 * c.shape;
                 let inv = one / (c.norm * ends);
                 let inv_root = inv.sqrt();
                 let b0 = c.norm * inv_root;
-                let middle = shape((c.t_x + c.kappa) * inv_cut_1);
-                let b1 = kappa_1 * middle * (inv_cut_1 * inv_cut_1 * inv_cut_1) * (ends * inv);
+                let middle = shape((c.t_x + c.kappa) * c.inv_cut_1);
+                let b1 = kappa_1 * middle * (c.inv_cut_1 * c.inv_cut_1 * c.inv_cut_1) * (ends * inv);
                 let rho = b1.fma(ends * inv_root, -one);
                 let y = one - b1;
                 // One by one: a loop over all of them is not unrolled, and then no coefficient is a constant any more.

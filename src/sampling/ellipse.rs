@@ -48,19 +48,18 @@ impl<L: Lane> Ellipse<L> {
         Self { crescent_share: L::lit(0.0), inv_rest: L::lit(1.0), beyond: L::lit(0.0) }
     }
 
-    /// For samplers that use it `is_used`: the others are spared the work.
+    /// For samplers that use it `is_used`: the others are spared the work. `inv_area` is the reciprocal projected solid angle
+    /// of the centre's side.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>, is_used: L::Mask) -> Self {
+    pub(super) fn new(cap: &Cap<L>, is_used: L::Mask, inv_area: L) -> Self {
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let c = &cap.crescent;
-        let larger = cap.projected_above.max(cap.projected_below);
         let (crescent_share, inv_rest, beyond) = branch!(
-            is_used & zero.lt(c.tau) & zero.lt(larger),
+            is_used & zero.lt(c.tau) & zero.lt(inv_area),
             {
-                let crescent = c.t_y_cubed() * c.shape;
-                // Sine of half the angle that the horizon cuts off the boundary circle.
-                let half_sine = c.tau / cap.elevation_cos;
-                let share = crescent / larger;
+                let share = c.t_y_cubed() * c.shape * inv_area;
+                // Sine of half the angle that the horizon cuts off the boundary circle: tau / X.
+                let half_sine = c.t_y * cap.inv_radius_sin;
                 (share, one / (one - share), half_sine * half_sine * half_sine * c.shape_cut)
             },
             (zero, one, zero)

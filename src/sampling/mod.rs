@@ -101,8 +101,8 @@ pub struct Sampler<L> {
     cap: Cap<L>,
     /// Probability of the solid-angle part: 0 or 1 where only one part exists.
     defensive: L,
-    /// Density of the solid-angle part: 0 where nothing is visible.
-    inv_solid_angle: L,
+    /// The fraction that was asked for: where it is 0, a random number has nothing to choose.
+    requested: L,
     /// Reciprocal projected solid angles above and below the horizon; 0 for a side with nothing on it.
     inv_above: L,
     inv_below: L,
@@ -124,7 +124,6 @@ impl<L: Lane> Sampler<L> {
             Hemispheres::Front => zero,
             Hemispheres::Both => reciprocal(cap.projected_below),
         };
-        let inv_solid_angle = reciprocal(cap.solid_angle);
         let samples_projected = zero.lt(inv_above + inv_below);
         // With nothing for the technique to sample, a defensive sampler still covers the whole cap: a shading normal may
         // see what the geometric one does not. So does every sampler without a surface, where no cosine exists.
@@ -136,16 +135,18 @@ impl<L: Lane> Sampler<L> {
             Hemispheres::Front => (centre_above, !centre_above),
             Hemispheres::Both => (zero.le(zero), zero.le(zero)),
         };
+        let requested = defensive;
+        let inv_larger = L::select(centre_above, inv_above, inv_below);
         let (defensive, ellipse, marginal) = match technique {
             Technique::SolidAngle => (L::lit(1.0), ellipse::Ellipse::unused(), crescent::Marginal::unused()),
             Technique::ProjectedBounded => (
                 L::select(samples_projected, defensive, alone),
-                ellipse::Ellipse::new(&cap, uses_ellipse),
+                ellipse::Ellipse::new(&cap, uses_ellipse, inv_larger),
                 crescent::Marginal::unused(),
             ),
             Technique::Projected => (
                 L::select(samples_projected, defensive, alone),
-                ellipse::Ellipse::new(&cap, uses_ellipse),
+                ellipse::Ellipse::new(&cap, uses_ellipse, inv_larger),
                 crescent::Marginal::new(&cap, uses_crescent),
             ),
         };
@@ -163,7 +164,7 @@ impl<L: Lane> Sampler<L> {
             hemispheres,
             cap,
             defensive,
-            inv_solid_angle,
+            requested,
             inv_above,
             inv_below,
             share_above,
@@ -209,7 +210,7 @@ impl<L: Lane> Sampler<L> {
         let one = L::lit(1.0);
         let is_plain = u0.lt(self.defensive);
         let u0 = branch!(
-            L::lit(0.0).lt(self.defensive),
+            L::lit(0.0).lt(self.requested),
             branch!(is_plain, interior(u0 / self.defensive), remap(u0, self.defensive)),
             u0
         );
@@ -285,7 +286,7 @@ impl<L: Lane> Sampler<L> {
         let (plain, plain_projected) = branch!(
             is_mixed,
             {
-                let plain = self.defensive * self.inv_solid_angle;
+                let plain = self.defensive * cap.inv_solid_angle;
                 (plain, (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX)))
             },
             (zero, zero)

@@ -7,11 +7,12 @@ use crate::cap::Cap;
 use crate::disk::{disk_to_square, DiskPoint};
 use crate::lane::{lit, Lane};
 use crate::offset::Offset;
+use core::f64::consts::PI;
 
 /// `1 - v`: the cap's height.
 #[inline(always)]
 fn height<L: Lane>(cap: &Cap<L>) -> L {
-    cap.radius_sin * cap.radius_sin / (lit(1.0) + cap.radius_cos)
+    cap.solid_angle * lit(0.5 / PI)
 }
 
 /// The direction for a point of the unit disk.
