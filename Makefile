@@ -14,7 +14,7 @@ VARIANT ?= scalar_rgb
 SPP ?= 16
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-rust test-python lint format build header fits picture clean FORCE
+.PHONY: help demo test test-rust test-python test-long lint format build header accuracy bench fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -61,6 +61,16 @@ $(VENV)/installed: requirements.txt
 
 header: ## Remake include/spherecap.h from src/ffi.rs and src/ffi_record.rs.
 	SPHERECAP_WRITE_HEADER=1 cargo test --release --locked --test header
+
+accuracy: ## Remake docs/accuracy.md from what the kernels give.
+	SPHERECAP_WRITE_ACCURACY=1 cargo test --release --locked --test accuracy
+
+bench: ## What sampling costs, beside solid angles and the published method.
+	cargo bench --locked --bench cost
+
+test-long: ## The random tests, with many more inputs than in `make test`: about ten minutes.
+	PROPTEST_CASES=2000000 cargo test --release --locked --test strata
+	SPHERECAP_FUZZ_TRIALS=20000000 cargo test --release --locked --test c_abi numbers_of_every_kind
 
 fits: $(VENV)/installed ## Remake the fitted constants in src/fits.rs.
 	$(BIN)/python -m fits

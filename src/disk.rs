@@ -9,7 +9,7 @@
 //! Worst relative errors of the fits: see `fits.rs`.
 
 use crate::lane::{lit, Lane};
-use crate::math::{inverse_cube_root, polynomial};
+use crate::math::{inverse_cube_root, polynomial, polynomial_and_difference};
 use core::f64::consts::PI;
 
 /// Thin segments have the area `c h^(3/2)` with this `c = 4 sqrt(2) / 3`.
@@ -25,18 +25,7 @@ pub(crate) fn shape<L: Lane>(x: L) -> L {
 /// `(H(t), (H(t) - H(e)) / (t - e))`, the divided difference without cancellation also for `e = t`.
 #[inline(always)]
 pub(crate) fn shape_and_difference<L: Lane>(t: L, e: L) -> (L, L) {
-    let half = lit(0.5);
-    let (t, e) = (t - half, e - half);
-    let (mut value, mut difference) = (L::lit(0.0), L::lit(0.0));
-    for (i, &c) in L::FITS.shape.iter().rev().enumerate() {
-        if i == 0 {
-            value = L::lit(c);
-        } else {
-            difference = if i == 1 { value } else { difference.fma(e, value) };
-            value = value.fma(t, L::lit(c));
-        }
-    }
-    (value, difference)
+    polynomial_and_difference(t - lit(0.5), e - lit(0.5), L::FITS.shape)
 }
 
 /// `(area / c)^(2/3)` from the height in [0, 1], relative to it: `k / h`.

@@ -2,9 +2,17 @@
 
 use crate::lane::{lit, Lane, Lit};
 
-/// `c[0] + c[1] x + c[2] x^2 + ...`.
+/// `c[0] + c[1] x + c[2] x^2 + ...`, as an even and an odd part in x^2: one product more than by Horner's rule, and half as
+/// long a chain of steps that wait for each other.
 #[inline(always)]
 pub(crate) fn polynomial<L: Lane>(x: L, coefficients: &[f64]) -> L {
+    let x2 = x * x;
+    odd_part(x2, coefficients).fma(x, even_part(x2, coefficients))
+}
+
+/// The same by Horner's rule, for the short ones.
+#[inline(always)]
+fn horner<L: Lane>(x: L, coefficients: &[f64]) -> L {
     let mut value = L::lit(0.0);
     for (i, &c) in coefficients.iter().rev().enumerate() {
         // The first step is no multiplication: what the optimiser may not fold, recording would keep.
@@ -13,12 +21,58 @@ pub(crate) fn polynomial<L: Lane>(x: L, coefficients: &[f64]) -> L {
     value
 }
 
+/// `c[0] + c[2] x^2 + c[4] x^4 + ...`.
+#[inline(always)]
+fn even_part<L: Lane>(x2: L, coefficients: &[f64]) -> L {
+    let mut value = L::lit(0.0);
+    let count = coefficients.len().div_ceil(2);
+    for i in 0..count {
+        let c = L::lit(coefficients[2 * (count - 1 - i)]);
+        value = if i == 0 { c } else { value.fma(x2, c) };
+    }
+    value
+}
+
+/// `c[1] + c[3] x^2 + c[5] x^4 + ...`.
+#[inline(always)]
+fn odd_part<L: Lane>(x2: L, coefficients: &[f64]) -> L {
+    even_part(x2, &coefficients[1..])
+}
+
+/// A polynomial's value at x and its divided difference, `(p(x), (p(x) - p(y)) / (x - y))`, without cancellation also for
+/// `x = y`. With the even part `E(x^2)` and the odd one `x O(x^2)`, the difference is
+/// `(x + y) E[x^2, y^2] + O(x^2) + y (x + y) O[x^2, y^2]`.
+#[inline(always)]
+pub(crate) fn polynomial_and_difference<L: Lane>(x: L, y: L, coefficients: &[f64]) -> (L, L) {
+    let (x2, y2, sum) = (x * x, y * y, x + y);
+    let (even, even_difference) = horner_and_difference(x2, y2, coefficients);
+    let (odd, odd_difference) = horner_and_difference(x2, y2, &coefficients[1..]);
+    (odd.fma(x, even), y.fma(odd_difference, even_difference).fma(sum, odd))
+}
+
+/// Of the polynomial with every other coefficient.
+#[inline(always)]
+fn horner_and_difference<L: Lane>(x: L, y: L, coefficients: &[f64]) -> (L, L) {
+    let (mut value, mut difference) = (L::lit(0.0), L::lit(0.0));
+    let count = coefficients.len().div_ceil(2);
+    for i in 0..count {
+        let c = L::lit(coefficients[2 * (count - 1 - i)]);
+        if i == 0 {
+            value = c;
+        } else {
+            difference = if i == 1 { value } else { difference.fma(y, value) };
+            value = value.fma(x, c);
+        }
+    }
+    (value, difference)
+}
+
 /// The sum of `c[a][b] x^a y^b`.
 #[inline(always)]
 pub(crate) fn polynomial_of_two<L: Lane>(x: L, y: L, coefficients: &[&[f64]]) -> L {
     let mut value = L::lit(0.0);
     for (i, &by_y) in coefficients.iter().rev().enumerate() {
-        let inner = polynomial(y, by_y);
+        let inner = horner(y, by_y);
         value = if i == 0 { inner } else { value.fma(x, inner) };
     }
     value
@@ -36,7 +90,7 @@ pub(crate) fn inverse_cube_root<L: Lane>(x: L) -> L {
     let mut y = x.bits().fma(L::lit(-1.0 / 3.0), L::lit(magic)).float_of_bits();
     let residual = |y: L| (-(x * y)).fma(y * y, L::lit(1.0));
     let r = residual(y);
-    y = y.fma(r * polynomial(r, &[1.0 / 3.0, 2.0 / 9.0, 14.0 / 81.0]), y);
+    y = y.fma(r * horner(r, &[1.0 / 3.0, 2.0 / 9.0, 14.0 / 81.0]), y);
     y = y.fma(residual(y) * lit(1.0 / 3.0), y);
     if L::SIGNIFICAND_BITS > 23 {
         y = y.fma(residual(y) * lit(1.0 / 3.0), y);

@@ -119,8 +119,8 @@ fn run(program: &Path, arguments: &[&str], input: &str) -> Result<String, String
         .stderr(Stdio::from(create(&stderr)))
         .spawn()
         .expect("what was built can be run");
-    // Each takes seconds at most: one that takes minutes hangs.
-    let deadline = Instant::now() + Duration::from_secs(300);
+    // Each takes seconds at most, or (with millions of trials) a few minutes: one that takes longer hangs.
+    let deadline = Instant::now() + Duration::from_secs(900);
     let status = loop {
         if let Some(status) = child.try_wait().expect("a child can be waited for") {
             break status;
@@ -254,6 +254,12 @@ fn cpp_calls_every_function_and_threads_share_nothing() {
 #[test]
 fn numbers_of_every_kind_do_no_harm() {
     print!("{}", run_both("tests/c/fuzz.c", ""));
+    // The long run, of `make test-long`: more trials, without sanitizers to slow them down.
+    if let Ok(trials) = std::env::var("SPHERECAP_FUZZ_TRIALS") {
+        let program = build("tests/c/fuzz.c", false);
+        let report = run(&program, &[&trials], "");
+        print!("{}", report.unwrap_or_else(|report| panic!("{}: {report}", program.display())));
+    }
 }
 
 #[test]

@@ -60,6 +60,7 @@ in_both_precisions!(
     the_pdf_of_a_sample_is_the_one_it_reports
     samples_lie_in_the_cap_and_above_the_horizon
     samples_are_where_their_ray_meets_the_sphere
+    direction_forms_resolve_a_few_epsilon
     inverting_a_sample_gives_its_numbers
     sampling_the_inverse_gives_the_sample
     no_unit_of_length_is_preferred
@@ -138,6 +139,40 @@ fn samples_are_where_their_ray_meets_the_sphere<F: Scalar>() {
             dot(direction, normal) < 16.0 * F::EPSILON + 4.0 * at_limb,
             "{strategy:?} {scene:?} {u:?}: {sample:?}"
         );
+    });
+}
+
+/// From the unit direction of a sample its offset is recovered to four epsilon, absolute: half an epsilon for each component of the
+/// direction and of the frame, and the roundings of a scalar product. So is the cosine, but where the component towards the
+/// centre is a square root that rounding has left with epsilon / v (see above); hence the relative error of the density by
+/// solid angle, which goes with the cosine. Where those are small beside the cap nothing is lost to the horizon or the limb.
+fn direction_forms_resolve_a_few_epsilon<F: Scalar>() {
+    each_sample::<F>(|scene, strategy, sampler, u, sample| {
+        let (exact, recovered) = (widen(sample.offset), sampler.offset(sample.direction));
+        let offset = widen(recovered);
+        let s = scene.radius / dot(scene.centre, scene.centre).sqrt();
+        let v = ((1.0 - s) * (1.0 + s)).sqrt();
+        let across = [offset.zenith - exact.zenith, offset.side - exact.side].map(f64::abs);
+        assert!(
+            across[0].max(across[1]) < 4.0 * F::EPSILON,
+            "{strategy:?} {scene:?} {u:?}: {offset:?} is not {exact:?}"
+        );
+        let resolution = 8.0 * F::EPSILON + 4.0 * F::EPSILON / v;
+        let cosine = (offset.cosine - exact.cosine).abs();
+        assert!(cosine < resolution, "{strategy:?} {scene:?} {u:?}: {offset:?} is not {exact:?}");
+        // The uniform technique by itself: its density is the cosine over the area.
+        let is_plain = strategy.technique == Technique::Projected
+            && strategy.hemispheres == Hemispheres::Front
+            && strategy.defensive == F::lit(0.0);
+        if is_plain && exact.cosine > 2.0 * resolution {
+            let [density, expected]: [f64; 2] =
+                [sampler.pdf_on_sphere(recovered).solid_angle.into(), sample.density.solid_angle.into()];
+            let error = (density / expected - 1.0).abs();
+            assert!(
+                error < 2.0 * F::EPSILON + resolution / exact.cosine,
+                "{strategy:?} {scene:?} {u:?}: the density of the direction is off by {error:e}"
+            );
+        }
     });
 }
 

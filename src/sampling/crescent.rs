@@ -134,6 +134,14 @@ impl<L: Lane> Marginal<L> {
         Self { coefficients }
     }
 
+    /// B(V), given `V^2` too: its even part need not wait for the root.
+    #[inline(always)]
+    fn value(&self, v: L, v2: L) -> L {
+        let [c0, c1, c2, c3, c4, c5, c6] = self.coefficients;
+        let even = c6.fma(v2, c4).fma(v2, c2).fma(v2, c0);
+        c5.fma(v2, c3).fma(v2, c1).fma(v, even)
+    }
+
     /// B(V) and its derivative.
     #[inline(always)]
     fn value_and_slope(&self, v: L) -> (L, L) {
@@ -154,7 +162,7 @@ impl<L: Lane> Marginal<L> {
         let [kappa, tau, cut] = proportions(cap, is_segment);
         let (u, v2) = symmetric(u1);
         let v = v2.sqrt();
-        let (b, _) = self.value_and_slope(v);
+        let b = self.value(v, v2);
         let slice =
             Slice::new(u, v * L::select(is_segment, L::lit(1.0), b), kappa, tau, cut, cap.crescent.width);
         // Heights over g2, so that thin slices keep their digits.

@@ -397,8 +397,10 @@ impl<L: Lane> Sampler<L> {
         )
     }
 
-    /// Offset of a unit direction, to the precision that the direction has: an f32 vector resolves 6e-8, so that of a cap
-    /// with `s = 1e-6` little is left. Directions away from the sphere give an offset outside the cap.
+    /// Offset of a unit direction, to the precision that the direction has: four epsilon (5e-7 in f32) for its components, so
+    /// that of a cap with `s = 1e-6` little is left; for the cosine eight and what the limb of a sphere nearly touched adds, four
+    /// over `v`. A density by solid angle is as good as that over the cosine. Directions away from the sphere give an offset
+    /// outside the cap.
     #[inline(always)]
     pub fn offset(&self, direction: Vec3<L>) -> Offset<L> {
         self.cap.offset(direction)

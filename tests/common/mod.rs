@@ -2,7 +2,9 @@
 
 #![allow(dead_code)] // each test uses its part
 
+pub mod distortion;
 pub mod quadrature;
+pub mod strata;
 
 use spherecap::{Hemispheres, Lane, Offset, Sampler, Scalar, Strategy, Technique, Vec3};
 
@@ -131,8 +133,8 @@ pub fn widen<F: Scalar>(offset: Offset<F>) -> Offset<f64> {
     Offset { zenith: offset.zenith.into(), side: offset.side.into(), cosine: offset.cosine.into() }
 }
 
-/// The offsets that are as good as this one to precision `epsilon`: with one of its three numbers moved by eight units in its
-/// last place, as the rounding of a sample (and of s) may have moved it. For the components that is a unit of the cap's radius
+/// The offsets that are as good as this one to precision `epsilon`: with its three numbers moved by eight units in their last
+/// places, as the rounding of a sample (and of s) may have moved it. For the components that is a unit of the cap's radius
 /// (they are sums over the whole cap), and for the cosine one of its own; or, where it is no coordinate of the map but
 /// computed from the components, one of theirs.
 pub fn neighbours(
@@ -140,21 +142,19 @@ pub fn neighbours(
     technique: Technique,
     offset: Offset<f64>,
     epsilon: f64,
-) -> [Offset<f64>; 6] {
+) -> [Offset<f64>; 8] {
     let s = exact.cap().radius_sin();
     let cosine_unit = match technique {
         Technique::SolidAngle => exact.cap().elevation_sin().abs() + s,
         _ => offset.cosine.abs(),
     };
-    std::array::from_fn(|i| {
-        let unit = if i < 3 { 8.0 * epsilon } else { -8.0 * epsilon };
-        let mut moved = offset;
-        match i % 3 {
-            0 => moved.zenith += unit * s,
-            1 => moved.side += unit * s,
-            _ => moved.cosine += unit * cosine_unit,
+    std::array::from_fn(|corner| {
+        let unit = |bit: usize| if corner >> bit & 1 == 0 { 8.0 * epsilon } else { -8.0 * epsilon };
+        Offset {
+            zenith: offset.zenith + unit(0) * s,
+            side: offset.side + unit(1) * s,
+            cosine: offset.cosine + unit(2) * cosine_unit,
         }
-        moved
     })
 }
 

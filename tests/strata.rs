@@ -1,0 +1,177 @@
+//! Random inputs near everything that goes wrong, and random bits: f32 against the f64 kernel, which `tests/reference.rs` checks
+//! against 25 digits. `PROPTEST_CASES` changes how many (`make test-long` does).
+
+mod common;
+
+use common::strata::{scene, STRATA};
+use common::{dot, lanes, neighbours, widen, Random, Scene, TECHNIQUES};
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+use spherecap::{Cap, Hemispheres, Refusal, Sampler, Strategy, Technique};
+
+/// What the f32 kernel may be off by because of what it knows of the centre's height: with an oblique normal 2^-48 of the
+/// distance for the dot product's second part and as much for its use, so 2^-47/s of the radius. The crescent's area goes with
+/// the 5/2 power of how much of the radius is above the horizon, 1 - kappa.
+fn height_error(cap: &Cap<f64>) -> f64 {
+    let (s, z) = (cap.radius_sin(), cap.elevation_sin());
+    let above = if z > 0.0 { 1.0 } else { (s + z) / s };
+    2.5 * f64::from(-47).exp2() / (s * above.max(f64::MIN_POSITIVE))
+}
+
+fn config() -> ProptestConfig {
+    let default = ProptestConfig::default();
+    ProptestConfig {
+        cases: cases(),
+        // The same in every run; `PROPTEST_RNG_SEED` gives others.
+        rng_seed: match default.rng_seed {
+            RngSeed::Random => RngSeed::Fixed(4),
+            given => given,
+        },
+        // Failing inputs are printed; they belong into a test of their own, not into a file beside this one.
+        failure_persistence: None,
+        max_global_rejects: u32::MAX,
+        max_local_rejects: u32::MAX,
+        ..default
+    }
+}
+
+fn cases() -> u32 {
+    std::env::var("PROPTEST_CASES").map_or(100_000, |n| n.parse().expect("PROPTEST_CASES is a number"))
+}
+
+/// Any f32 in [0, 1]: as many below 1e-20 as above.
+fn number() -> impl Strategy_<Value = f32> {
+    prop_oneof![
+        (0..=0x3f80_0000_u32).prop_map(f32::from_bits),
+        (0..=1_u32 << 24).prop_map(|i| i as f32 / 16_777_216.0),
+        (0..=0x3f80_0000_u32).prop_map(|bits| 1.0 - f32::from_bits(bits)),
+    ]
+}
+use proptest::strategy::Strategy as Strategy_;
+
+/// Any finite f32.
+fn float() -> impl Strategy_<Value = f32> {
+    any::<u32>().prop_map(f32::from_bits).prop_filter("finite", |x| x.is_finite())
+}
+
+/// Everything that holds for a scene, a technique and a pair of numbers.
+fn check(scene: &Scene, technique: Technique, u: [f32; 2]) -> Result<(), TestCaseError> {
+    let single = Strategy { technique, hemispheres: Hemispheres::Front, defensive: 0.0_f32 };
+    let double = Strategy { technique, hemispheres: Hemispheres::Front, defensive: 0.0_f64 };
+    let (normal, centre) = (lanes::<f32>(scene.normal), lanes(scene.centre));
+    let exact = Sampler::prepare(double, lanes::<f64>(scene.normal), lanes(scene.centre), scene.radius);
+    let sampler = Sampler::prepare(single, normal, centre, scene.radius as f32);
+    let (sampler, exact) = match (sampler, exact) {
+        (Ok(sampler), Ok(exact)) => (sampler, exact),
+        // f32 may not see what has set to within its knowledge of the height, or what is too small for its range.
+        (Err(Refusal::Invisible), Ok(exact)) => {
+            let cap = exact.cap();
+            let too_small = cap.radius_sin() < 4e-16 || cap.projected_solid_angle() < 1e-36;
+            prop_assert!(too_small || height_error(cap) > 0.1, "f32 refuses {:?}", cap);
+            return Ok(());
+        }
+        // f64 sees exactly what f32 may round either way.
+        (sampler, Err(refusal)) => {
+            let of_single = sampler.err();
+            let tie = matches!(refusal, Refusal::Inside | Refusal::Invisible);
+            prop_assert!(of_single == Some(refusal) || tie, "{:?} is not {:?}", of_single, refusal);
+            return Ok(());
+        }
+        (Err(refusal), Ok(exact)) => {
+            // The last f32 distance before the surface: d^2 - r^2 is compensated, so only a tie is refused.
+            let cap = exact.cap();
+            let is_tie = refusal == Refusal::Inside && cap.radius_sin() > 1.0 - 1e-13;
+            prop_assert!(is_tie, "f32 says {:?}, f64 prepares {:?}", refusal, cap);
+            return Ok(());
+        }
+    };
+    let doubt = height_error(exact.cap());
+    let relative = |got: f32, expected: f64| (f64::from(got) / expected - 1.0).abs();
+    let areas = [
+        relative(sampler.cap().solid_angle(), exact.cap().solid_angle()),
+        relative(sampler.cap().projected_solid_angle(), exact.cap().projected_solid_angle()),
+    ];
+    // d^2, r^2, v and the quotient: a dozen roundings at most.
+    prop_assert!(areas[0] < 1e-6, "the solid angle is off by {:e}", areas[0]);
+    if technique != Technique::SolidAngle {
+        // Twenty roundings of half an epsilon, t_y's three times: all at their worst and in one direction. (The reference
+        // rows keep within 1e-6, and all but one in a million of these.)
+        prop_assert!(areas[1] < 1.2e-6 + doubt, "the projected solid angle is off by {:e}", areas[1]);
+    }
+
+    let sample = sampler.sample(u[0], u[1]);
+    let s = exact.cap().radius_sin();
+    let offset = widen(sample.offset);
+    let sin = (offset.zenith * offset.zenith + offset.side * offset.side).sqrt();
+    prop_assert!(sin < s * (1.0 + 1e-6), "{:?} is {:e} radii outside the cap", sample, sin / s - 1.0);
+    prop_assert!(
+        technique == Technique::SolidAngle || offset.cosine > 0.0,
+        "{:?} is below the horizon",
+        sample
+    );
+    prop_assert_eq!(sampler.pdf(sample.offset), sample.density);
+    for density in [sample.density.solid_angle, sample.density.projected_solid_angle] {
+        prop_assert!(density > 0.0 && density.is_finite(), "{:?}", sample);
+    }
+
+    // Where the cap itself is in doubt, so is its map.
+    if doubt > 1e-6 {
+        return Ok(());
+    }
+    let at = exact.invert(offset);
+    let inverse = sampler.invert(sample.offset);
+    let around = neighbours(&exact, technique, offset, f64::from(f32::EPSILON)).map(|o| exact.invert(o));
+    for i in 0..2 {
+        let resolution = around.iter().fold(0.0_f64, |most, v| most.max((v[i] - at[i]).abs()));
+        // Where it is a hundredth, a chord is about as short as its rounding: the inverse is not linear there, and nothing is known.
+        let bound = if resolution < 0.01 { 1e-5 + 2.0 * resolution } else { 1.0 };
+        for got in [at[i], f64::from(inverse[i])] {
+            let error = (got - f64::from(u[i])).abs();
+            prop_assert!(
+                error < bound,
+                "{:?} is inverted to {} for {:?}, allowed {:e}",
+                sample,
+                got,
+                u,
+                bound
+            );
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    /// Caps near one hard thing.
+    #[test]
+    fn single_precision_agrees_with_double_in_every_stratum(
+        stratum in 0..STRATA.len(),
+        seed in any::<u64>(),
+        technique in 0..TECHNIQUES.len(),
+        u in [number(), number()],
+    ) {
+        check(&scene(stratum, &mut Random(seed)), TECHNIQUES[technique], u)?;
+    }
+
+    /// Centres and radii of any bits: most are far from another, and a third of the refusals are bad input.
+    #[test]
+    fn single_precision_agrees_with_double_for_any_bits(
+        seed in any::<u64>(),
+        centre in [float(), float(), float()],
+        radius in float(),
+        ratio in 0..0x3f80_0000_u32,
+        is_ratio in any::<bool>(),
+        technique in 0..TECHNIQUES.len(),
+        u in [number(), number()],
+    ) {
+        let centre = centre.map(f64::from);
+        let length = dot(centre, centre).sqrt();
+        let radius = if is_ratio { f64::from((length * f64::from(f32::from_bits(ratio))) as f32) } else { f64::from(radius) };
+        let any_scene = scene(0, &mut Random(seed));
+        // A subnormal centre is one of fewer digits; a distance beyond the range is refused.
+        let longest = centre.iter().fold(radius, |m, x| m.max(x.abs()));
+        prop_assume!(longest > 1e-30 && longest < 1e38);
+        check(&Scene { centre, radius, ..any_scene }, TECHNIQUES[technique], u)?;
+    }
+}
