@@ -1,7 +1,8 @@
 """Measure what rendering with spherecap costs compared with the built-in emitter, at equal sample counts.
 
 For each scene both emitters are rendered in turns in one process, kernels warm, and the median of the ratios
-of neighbouring renders is printed; beside it the operations and the compile time of the kernels (JIT variants).
+of neighbouring renders is printed; beside it the operations and the compile time of the kernels (in variants
+that compile them).
 """
 
 import argparse

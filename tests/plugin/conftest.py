@@ -3,13 +3,15 @@
 import sys
 from pathlib import Path
 
-import mitsuba as mi
 import pytest
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPOSITORY / "mitsuba_plugin"))
 
-import spherecap  # noqa: E402, F401  (says how to build the plugin if it is missing)
+# Before Mitsuba: it says where LLVM is. And how to build the plugin if it is missing.
+import spherecap  # noqa: E402, F401
+
+import mitsuba as mi  # noqa: E402  # isort: skip
 
 SCALAR_VARIANTS = [variant for variant in mi.variants() if variant.startswith("scalar_")]
 assert len(SCALAR_VARIANTS) == 3, f"the wheel has other scalar variants than expected: {SCALAR_VARIANTS}"

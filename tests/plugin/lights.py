@@ -25,8 +25,8 @@ def light(emitter="spherecap", center=(0, 0, 3), radius=1.0, radiance=1.0, **par
 def point(position=(0, 0, 0), normal=(0, 0, 1), time=0.0):
     """A point of a surface with a geometric normal; (0, 0, 0) for one in a medium."""
     it = dr.zeros(mi.SurfaceInteraction3f)
-    it.p = list(position)
-    it.n = list(normal)
+    it.p = [float(x) for x in position]
+    it.n = [float(x) for x in normal]
     it.time = time
     if mi.is_spectral:
         it.wavelengths = [450.0, 520.0, 590.0, 660.0]

@@ -111,14 +111,3 @@ def test_an_emitter_without_a_sphere(scalar_rgb):
     """It can be printed."""
     loose = mi.load_dict({"type": "spherecap"})
     assert "no shape attached" in str(loose)
-
-
-@pytest.mark.parametrize("jit", [name for name in mi.variants() if name.startswith("llvm_")])
-def test_variants_that_compile_kernels_are_refused(jit):
-    """Until they are supported."""
-    mi.set_variant(jit)
-    try:
-        with pytest.raises(RuntimeError, match=f'scalar variants.*not yet in "{jit}".*use mi.set_variant'):
-            mi.load_dict({"type": "spherecap"})
-    finally:
-        mi.set_variant("scalar_rgb")

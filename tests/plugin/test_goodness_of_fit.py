@@ -72,6 +72,7 @@ CASES = [
     *(Case(technique, 0.5, 0.2, medium=True) for technique in ("projected", "projected_bounded")),
 ]
 OTHER_VARIANTS = ["scalar_spectral", "scalar_spectral_polarized"]
+OTHER_VARIANTS += [variant for variant in mi.variants() if variant.startswith("llvm_")]
 
 # Sidak's correction: each test gets the level at which all of them together have SIGNIFICANCE.
 LEVEL = 1 - (1 - SIGNIFICANCE) ** (1 / (len(CASES) + len(OTHER_VARIANTS)))
@@ -107,10 +108,13 @@ def observed(case, variant="scalar_rgb"):
     mi.set_variant(variant)
     emitter, it, frame = build(case)
     random = np.random.default_rng(2000 + CASES.index(case)).random((SAMPLES, 2))
-    directions = np.empty((SAMPLES, 3))
-    for i, (u, v) in enumerate(random.tolist()):
-        d = emitter.sample_direction(it, mi.Point2f(u, v))[0].d
-        directions[i] = d.x, d.y, d.z
+    if variant.startswith("llvm"):
+        directions = emitter.sample_direction(it, mi.Point2f(random.T))[0].d.numpy().T.astype(np.float64)
+    else:
+        directions = np.empty((SAMPLES, 3))
+        for i, (u, v) in enumerate(random.tolist()):
+            d = emitter.sample_direction(it, mi.Point2f(u, v))[0].d
+            directions[i] = d.x, d.y, d.z
 
     across, along, forward = frame @ directions.T
     # |d - axis|^2 / 2 is 1 - cos, without its cancellation.
@@ -141,10 +145,15 @@ def expected(case, variant="scalar_rgb"):
     density = np.empty(directions.shape[:2])
     ds = mi.DirectionSample3f()
     flat = density.reshape(-1)
-    for i, (x, y, z) in enumerate(directions.reshape(-1, 3).tolist()):
-        ds.d = mi.Vector3f(x, y, z)
-        ds.n = mi.Normal3f(-x, -y, -z)
-        flat[i] = emitter.pdf_direction(it, ds)
+    if variant.startswith("llvm"):
+        ds.d = mi.Vector3f(directions.reshape(-1, 3).T)
+        ds.n = mi.Normal3f(-ds.d)
+        flat[:] = emitter.pdf_direction(it, ds).numpy()
+    else:
+        for i, (x, y, z) in enumerate(directions.reshape(-1, 3).tolist()):
+            ds.d = mi.Vector3f(x, y, z)
+            ds.n = mi.Normal3f(-x, -y, -z)
+            flat[i] = emitter.pdf_direction(it, ds)
     solid_angle_of_a_node = 2 * np.pi * edge(case) / density.size
     per_bin = density.reshape(BINS[0], NODES, BINS[1], NODES).sum((1, 3)) * solid_angle_of_a_node
     return SAMPLES * per_bin

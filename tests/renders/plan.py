@@ -10,7 +10,7 @@ independent samples.
 from dataclasses import dataclass, field
 
 # Mitsuba variants that every render test runs in.
-VARIANTS = ("scalar_rgb",)
+VARIANTS = ("scalar_rgb", "llvm_ad_rgb")
 
 # Independent renders per emitter in a z-test: enough for a t-test whose tails are close to the normal ones.
 SEEDS = 32
@@ -46,7 +46,7 @@ class Plan:
 
 PLANS = (
     Plan("open_floor", 64),
-    Plan("cut_light", 1600, width=8, height=6),
+    Plan("cut_light", 2500, width=8, height=6),
     Plan("sunken_light", 2500, width=8, height=6),
     Plan("touching_light", 100),
     Plan("tiny_far_light", 16, built_in_is_right=False),

@@ -52,12 +52,11 @@ def test_mistakes_are_explained(arguments: list[str], words: list[str]) -> None:
 
 
 def test_missing_plugin_says_make_build() -> None:
-    """With the plugin's folder elsewhere."""
+    """With a package that cannot be imported."""
     done = run(
         "-c",
-        "import sys, pathlib; sys.path.insert(0, 'tools')\n"
+        "import sys; sys.path.insert(0, 'tools'); sys.modules['spherecap'] = None\n"
         "from renderlab import scenes\n"
-        "scenes.PLUGIN_PACKAGE = pathlib.Path('nowhere')\n"
         "scenes.use_variant('scalar_rgb')\n"
         "scenes.register_plugin()",
     )

@@ -3,23 +3,15 @@
 Images are float64 arrays of shape (height, width, 3), linear radiance.
 """
 
-import contextlib
 import importlib
 import sys
 from pathlib import Path
 
+import mitsuba as mi
+import numpy as np
+
 REPOSITORY = Path(__file__).resolve().parents[2]
 PLUGIN_PACKAGE = REPOSITORY / "mitsuba_plugin"
-
-# The package of the emitter tells Mitsuba where LLVM is, so it comes first. (`register_plugin` complains if it
-# is not built.)
-sys.path.insert(0, str(PLUGIN_PACKAGE))
-with contextlib.suppress(ImportError):
-    importlib.import_module("spherecap")
-
-import mitsuba as mi  # noqa: E402
-import numpy as np  # noqa: E402
-
 SCENES = REPOSITORY / "scenes"
 OUTPUT = REPOSITORY / "out"
 

@@ -1,0 +1,261 @@
+"""The recorded kernel: where Mitsuba compiles kernels, the plugin gives the scalar kernel's very bits."""
+
+import ctypes
+import os
+import subprocess
+from pathlib import Path
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import pytest
+from lights import light
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+LLVM_VARIANTS = [variant for variant in mi.variants() if variant.startswith("llvm_")]
+
+#: The library called in a loop, with what the plugin does around it.
+BATCH = r"""
+#include <math.h>
+#include <string.h>
+#include "spherecap.h"
+
+void batch(uint32_t technique, uint32_t hemispheres, float defensive, const float *center, float radius,
+           int count, const float *p, const float *n, const float *u, const float *direction,
+           float *sample, float *pdf) {
+    for (int i = 0; i < count; ++i, p += 3, n += 3, u += 2, direction += 3, sample += 11, ++pdf) {
+        const float c[3] = {center[0] - p[0], center[1] - p[1], center[2] - p[2]};
+        spherecap_cap_t cap;
+        spherecap_sample_t s;
+        spherecap_density_t density;
+        spherecap_prepare(technique, hemispheres, defensive, n, c, radius, &cap);
+        spherecap_sample(&cap, u[0], u[1], &s);
+        memcpy(sample, s.direction, 12);
+        memcpy(sample + 3, s.normal, 12);
+        sample[6] = s.distance;
+        sample[7] = s.density.solid_angle;
+        for (int j = 0; j < 3; ++j)
+            sample[8 + j] = fmaf(s.normal[j], radius, center[j]);
+        spherecap_pdf_on_sphere(&cap, direction, &density);
+        *pdf = density.solid_angle;
+    }
+}
+"""
+
+TECHNIQUES = ["solid_angle", "projected_bounded", "projected"]
+HEMISPHERES = ["front", "both"]
+MIXTURES = [
+    ("projected", "front", 0.0),
+    ("projected", "both", 0.125),
+    ("projected", "both", 0.0),
+    ("projected_bounded", "front", 0.125),
+    ("projected_bounded", "both", 0.0),
+    ("solid_angle", "front", 0.0),
+]
+COUNT = 100_000
+LIGHTS = [((0.0, 0.0, 3.0), 1.0), ((-250.5, 1e3, 33.0), 0.015)]
+
+
+@pytest.fixture(scope="module")
+def batch(tmp_path_factory):
+    """The loop, linked with the library that the plugin was linked with."""
+    folder = tmp_path_factory.mktemp("batch")
+    (folder / "batch.c").write_text(BATCH)
+    library = REPOSITORY / "target" / "release" / "libspherecap.a"
+    command = [os.environ.get("CC", "cc"), "-O1", "-shared", "-fPIC", f"-I{REPOSITORY / 'include'}"]
+    command += [
+        str(folder / "batch.c"),
+        str(library),
+        "-lpthread",
+        "-ldl",
+        "-lm",
+        "-o",
+        str(folder / "batch.so"),
+    ]
+    subprocess.run(command, check=True)
+    function = ctypes.CDLL(str(folder / "batch.so")).batch
+    pointer = np.ctypeslib.ndpointer(np.float32, flags="C")
+    function.argtypes = [
+        ctypes.c_uint32,
+        ctypes.c_uint32,
+        ctypes.c_float,
+        pointer,
+        ctypes.c_float,
+        ctypes.c_int,
+    ]
+    function.argtypes += [pointer] * 6
+    function.restype = None
+    return function
+
+
+def unit(v):
+    """Vectors of length one."""
+    return v / np.linalg.norm(v, axis=1, keepdims=True)
+
+
+def configurations(center, radius, seed):
+    """Points all around a light, with normals that put it in every place relative to the horizon."""
+    rng = np.random.default_rng(seed)
+    # s = r/d from nearly touching to far away, and some points inside.
+    s = np.where(rng.random(COUNT) < 0.5, rng.random(COUNT), 10 ** rng.uniform(-5, 0, COUNT))
+    near = rng.random(COUNT) < 0.05
+    s[near] = 1 - 10 ** rng.uniform(-8, -1, near.sum())
+    inside = rng.random(COUNT) < 0.02
+    s[inside] = 1 + rng.random(inside.sum())
+    towards = unit(rng.standard_normal((COUNT, 3)))
+    p = np.asarray(center) - towards * (radius / s)[:, None]
+    # Elevations: anywhere, or where the sphere is cut, or at or next to where it touches the horizon.
+    kind = rng.integers(0, 4, COUNT)
+    z = np.where(kind == 0, rng.uniform(-1, 1, COUNT), s * rng.uniform(-1.1, 1.1, COUNT))
+    touching = s * rng.choice([-1, 0, 1], COUNT) * (1 + 10 ** rng.uniform(-8, -3, COUNT))
+    z = np.clip(np.where(kind == 1, touching, z), -1, 1)
+    across = unit(np.cross(towards, rng.standard_normal((COUNT, 3))))
+    n = z[:, None] * towards + np.sqrt(1 - z**2)[:, None] * across
+    # Normals as they come: rounded, not quite of unit length or wrong, of a medium, along an axis.
+    n *= np.where(rng.random(COUNT) < 0.1, rng.uniform(0.9985, 1.0015, COUNT), 1)[:, None]
+    n[rng.random(COUNT) < 0.02] = 0
+    n[rng.random(COUNT) < 0.02] = [0, 0, 1]
+    zenith = rng.random(COUNT) < 0.02
+    n[zenith] = towards[zenith]
+    u = rng.random((COUNT, 2))
+    ends = rng.random((COUNT, 2)) < 0.02
+    u[ends] = rng.choice([0, 2.0**-24, 0.5, 1 - 2.0**-24, 1], ends.sum())
+    # Directions to points of the sphere.
+    d = unit(np.asarray(center) + radius * unit(rng.standard_normal((COUNT, 3))) - p)
+    return [np.ascontiguousarray(x, dtype=np.float32) for x in (p, n, u, d)]
+
+
+def rows(*values):
+    """Dr.Jit vectors as columns of an array."""
+    dr.eval(*values)
+    return np.concatenate([np.atleast_2d(value.numpy()) for value in values]).T
+
+
+def same_bits(a, b):
+    """Whether two arrays are equal; zeros may have either sign, NaN equals nothing."""
+    return (a == b).all(axis=-1)
+
+
+@pytest.mark.parametrize("place", LIGHTS, ids=["near", "far"])
+@pytest.mark.parametrize(("technique", "hemispheres", "defensive"), MIXTURES)
+def test_bits_of_the_scalar_kernel(batch, technique, hemispheres, defensive, place):
+    """Samples and densities, over every case and many hard configurations: 1.2 million of each in all."""
+    mi.set_variant("llvm_ad_rgb")
+    center, radius = place
+    emitter = light(
+        center=center, radius=radius, technique=technique, hemispheres=hemispheres, defensive=defensive
+    ).emitter()
+    p, n, u, d = configurations(center, radius, seed=TECHNIQUES.index(technique))
+    expected, expected_pdf = np.empty((COUNT, 11), np.float32), np.empty(COUNT, np.float32)
+    # The transformation of a sphere is kept in single precision.
+    light_center = np.float32(center)
+    numbers = TECHNIQUES.index(technique), HEMISPHERES.index(hemispheres), defensive
+    batch(*numbers, light_center, np.float32(radius), COUNT, p, n, u, d, expected, expected_pdf)
+
+    it = dr.zeros(mi.SurfaceInteraction3f, COUNT)
+    it.p, it.n = mi.Point3f(p.T), mi.Normal3f(n.T)
+    ds, weight = emitter.sample_direction(it, mi.Point2f(u.T))
+    found = rows(ds.d, ds.n, ds.dist, ds.pdf, ds.p)
+    assert np.isfinite(found).all()
+    agree = same_bits(found, expected)
+    sampled = expected[:, 7] > 0
+    print(f"{agree.mean():.6f} agree, {sampled.mean():.3f} have something to sample")
+    assert agree.all(), (found[~agree][:3], expected[~agree][:3], p[~agree][:3], n[~agree][:3])
+    assert 0.2 < sampled.mean() < 0.99
+    weight = rows(weight)[:, 0]
+    assert np.array_equal(weight[sampled], 1 / expected[sampled, 7])
+    assert not weight[~sampled].any()
+
+    ds.d, ds.n = mi.Vector3f(d.T), mi.Normal3f(-d.T)
+    found = rows(emitter.pdf_direction(it, ds))[:, 0]
+    assert np.array_equal(found, expected_pdf), (found[found != expected_pdf][:3],)
+    assert (found > 0).mean() > 0.1
+
+
+def test_inactive_lanes_give_nothing():
+    """Neither samples nor densities."""
+    mi.set_variant("llvm_ad_rgb")
+    emitter = light().emitter()
+    it = dr.zeros(mi.SurfaceInteraction3f, 4)
+    it.n = mi.Normal3f(0, 0, 1)
+    active = mi.Bool([True, False, True, False])
+    ds, weight = emitter.sample_direction(it, mi.Point2f(0.3, 0.4), active)
+    assert list(ds.pdf.numpy() > 0) == [True, False, True, False]
+    assert list(weight.x.numpy() > 0) == [True, False, True, False]
+    assert list(emitter.pdf_direction(it, ds, active).numpy() > 0) == [True, False, True, False]
+
+
+def test_nothing_is_left_behind():
+    """Recording makes hundreds of variables, and keeps none."""
+    mi.set_variant("llvm_ad_rgb")
+    emitter = light().emitter()
+    it = dr.zeros(mi.SurfaceInteraction3f)
+    it.n = [0, 0, 1]
+
+    def variables():
+        return len(dr.whos(as_string=True).splitlines())
+
+    def draw():
+        ds, weight = emitter.sample_direction(it, mi.Point2f(0.3, 0.4))
+        return rows(ds.d, ds.pdf, emitter.pdf_direction(it, ds), weight)
+
+    draw()
+    before = variables()
+    for _ in range(5):
+        draw()
+    assert variables() == before
+
+
+def test_moving_the_light_compiles_nothing():
+    """Nor does changing its radius, or its radiance."""
+    mi.set_variant("llvm_ad_rgb")
+    sphere = light(radiance={"type": "rgb", "value": [1, 2, 3]})
+    it = dr.zeros(mi.SurfaceInteraction3f, 16)
+    it.n = mi.Normal3f(0, 0, 1)
+    params = mi.traverse(sphere)
+
+    def draw():
+        ds, weight = sphere.emitter().sample_direction(it, mi.Point2f(0.3, 0.4))
+        dr.kernel_history_clear()
+        with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+            dr.eval(ds, weight)
+            kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
+        return [k["hash"] for k in kernels], rows(ds.p, weight)
+
+    kernels, first = draw()
+    for center, radius in (((1, 2, 5), 2.0), ((0, 0.5, 7), 0.25)):
+        params["to_world"] = mi.Transform4f().translate(center).scale(radius)
+        params["emitter.radiance.value"] = mi.Color3f(radius)
+        params.update()
+        again, moved = draw()
+        assert again == kernels
+        assert np.linalg.norm(moved[:, :3] - center, axis=1) == pytest.approx(radius, rel=1e-5)
+        assert not np.allclose(moved, first)
+
+
+def test_recording_has_a_budget():
+    """Operations of a sample and of a density, and milliseconds to compile them, beside `area`'s."""
+    mi.set_variant("llvm_ad_rgb")
+    it = dr.zeros(mi.SurfaceInteraction3f, 1 << 10)
+    rng = mi.PCG32(1 << 10)
+    it.p, it.n = mi.Point3f(rng.next_float32()), dr.normalize(mi.Normal3f(rng.next_float32(), 0, 1))
+    u = mi.Point2f(rng.next_float32(), rng.next_float32())
+    dr.eval(it, u)
+    budget = {"sample": 580, "pdf": 310}
+    counts = {}
+    for name, parameters in (("area", {}), ("spherecap", {"hemispheres": "front", "defensive": 0.0})):
+        emitter = light(name, **parameters).emitter()
+        ds, _ = emitter.sample_direction(it, u)
+        dr.eval(ds)
+        for what in budget:
+            result = emitter.sample_direction(it, u) if what == "sample" else emitter.pdf_direction(it, ds)
+            dr.flush_kernel_cache()
+            dr.kernel_history_clear()
+            with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+                dr.eval(result)
+                kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
+            counts[name, what] = sum(k["operation_count"] for k in kernels)
+            compilation = sum(k["codegen_time"] + k["backend_time"] for k in kernels)
+            print(f"{name} {what}: {counts[name, what]} operations, {compilation:.1f} ms")
+    for what, most in budget.items():
+        assert counts["spherecap", what] - counts["area", what] <= most
