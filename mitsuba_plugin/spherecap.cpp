@@ -155,7 +155,10 @@ static constexpr Choice Hemispheres[] = {
     {"front", SPHERECAP_HEMISPHERES_FRONT},
     {"both", SPHERECAP_HEMISPHERES_BOTH},
 };
-/// The defensive fraction of scenes with shading normals.
+/// The defensive fraction of scenes with shading normals. Relative RMSE of scenes/smooth_mesh.xml, 64 x 48
+/// pixels, 16 samples, light sampling alone: 0.066 at 0, 0.062 at 1/8, 0.060 at 1/4, 0.066 at 1/2 (`area`:
+/// 0.093); in the worst pixel 0.76, 0.41, 0.39, 0.36 (`area`: 0.42). The smallest that is nowhere worse than
+/// `area`.
 static constexpr float DefensiveFraction = 0.125f;
 
 /// Finds the transformation of a shape, which has no accessor, among its parameters.

@@ -4,6 +4,7 @@ Prints a table and saves a labelled picture under out/. `make demo` runs it; see
 """
 
 import argparse
+import gc
 import sys
 import time
 from dataclasses import dataclass, field
@@ -33,9 +34,8 @@ RENDERS = 4
 
 @dataclass
 class Run:
-    """A scene loaded with one technique, its images so far and the seconds they took."""
+    """The images of one technique so far, and the seconds they took."""
 
-    scene: object
     images: list[np.ndarray] = field(default_factory=list)
     seconds: float = 0.0
 
@@ -100,19 +100,19 @@ def compare(scene: str, variant: str, spp: int, width: int, picture: Path | None
     with tqdm(total=passes + RENDERS * len(techniques), unit="render") as bar:
         bar.set_description("reference")
         truth = reference(scene, width, height, bar.update)
-        runs = {
-            technique: Run(load_scene(scene, technique, spp=spp, width=width, height=height))
-            for technique in techniques
-        }
-        for run in runs.values():
-            render(run.scene, 1, seed=0)  # Caches and, in JIT variants, compilation do not count.
-        # In turns, so that whatever else the machine does slows both alike.
+        runs = {technique: Run() for technique in techniques}
+        # In turns, so that whatever else the machine does slows both alike. One scene at a time, because JIT
+        # variants compile all that may be called: every emitter that there is.
         for seed in range(1, RENDERS + 1):
             for technique, run in runs.items():
                 bar.set_description(technique)
+                loaded = load_scene(scene, technique, spp=spp, width=width, height=height)
+                render(loaded, spp, seed=0)  # Caches and, in JIT variants, compilation do not count.
                 start = time.perf_counter()
-                run.images.append(render(run.scene, spp, seed))
+                run.images.append(render(loaded, spp, seed))
                 run.seconds += time.perf_counter() - start
+                del loaded
+                gc.collect()
                 bar.update()
     results = [
         Result(technique, run.images[0], run.seconds / RENDERS, rmse_against(run.images, truth))
