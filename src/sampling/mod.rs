@@ -278,7 +278,7 @@ impl<L: Lane> Sampler<L> {
         let zero = L::lit(0.0);
         let cap = &self.cap;
         let cosine = offset.cosine.abs();
-        // Two divisions that most samplers do without.
+        // What most samplers do without.
         let is_mixed = match self.technique {
             Technique::SolidAngle => zero.le(zero),
             _ => zero.lt(self.defensive),
