@@ -9,6 +9,7 @@ use crate::prepare::{is_offset, is_unit, Refusal};
 use crate::sampling::{Density, Hemispheres, Sample, Sampler, Strategy, Technique};
 use crate::vec3::Vec3;
 use core::ffi::CStr;
+use core::mem::MaybeUninit;
 use libc::c_char;
 
 /// Number of this binary interface. A program built against another number must not be linked with this library: compare
@@ -184,12 +185,12 @@ macro_rules! kernel {
 
 kernel! {
     fn prepare(
-        strategy: Strategy<f32>, normal: [f32; 3], centre: [f32; 3], radius: f32, out: *mut Prepared
+        strategy: Strategy<f32>, normal: [f32; 3], centre: [f32; 3], radius: f32,
+        out: &mut MaybeUninit<Prepared>
     ) -> Result<(), Refusal> {
         let sampler = Sampler::prepare(strategy, normal, centre, radius)?;
         // Stored here, so that it is not copied.
-        // SAFETY: the caller's pointer is writable.
-        unsafe { out.write(Prepared { seal: SEAL, status: SPHERECAP_STATUS_OK as u32, sampler }) };
+        out.write(Prepared { seal: SEAL, status: SPHERECAP_STATUS_OK as u32, sampler });
         Ok(())
     }
 }
@@ -414,8 +415,9 @@ pub unsafe extern "C" fn spherecap_prepare(
         let technique = self::technique(technique).ok_or(SPHERECAP_STATUS_TECHNIQUE)?;
         let hemispheres = self::hemispheres(hemispheres).ok_or(SPHERECAP_STATUS_HEMISPHERES)?;
         let strategy = Strategy { technique, hemispheres, defensive };
-        // The cap is not NULL, so writable by the header's contract; a `Prepared` fits (asserted above).
-        Ok(prepare(strategy, normal, centre, radius, cap.cast())?)
+        // SAFETY: not NULL, so writable by the header's contract; a `Prepared` fits (asserted above).
+        let out = unsafe { &mut *cap.cast::<MaybeUninit<Prepared>>() };
+        Ok(prepare(strategy, normal, centre, radius, out)?)
     })();
     let Err(status) = result else { return SPHERECAP_STATUS_OK as u32 };
     let status = status as u32;

@@ -32,10 +32,10 @@ def test_needs_only_mitsuba_and_the_system():
 
 
 def test_size():
-    """Below 1.25 MiB, most of it the 13 variants."""
+    """Below 1 MiB, most of it the 13 variants."""
     size = spherecap.PLUGIN.stat().st_size
     print(f"{size / 1024:.0f} KiB")
-    assert size < 5 << 18
+    assert size < 1 << 20
 
 
 def test_no_paths_of_this_machine():

@@ -194,14 +194,11 @@ def differences(key, channel, step, integrator="path"):
     loaded = scene("area", integrator)
     params = mi.traverse(loaded)
     means_of = []
-    start = None if key == "x" else mi.Color3f(params[key])
+    start = mi.Color3f(params[key])
     for sign in (1, -1):
-        if key == "x":
-            params["light0.to_world"] = mi.Transform4f().translate([0.5 + sign * step, 0, 0.3]).scale(0.7)
-        else:
-            value = mi.Color3f(start)
-            value[channel] += sign * step
-            params[key] = value
+        value = mi.Color3f(start)
+        value[channel] += sign * step
+        params[key] = value
         params.update()
         means_of.append(np.mean([render(loaded, 1024, seed).mean() for seed in range(4)]))
     return (means_of[0] - means_of[1]) / (2 * step)
@@ -221,11 +218,11 @@ def test_gradients_of_radiance_and_albedo(integrator, key):
 
 
 @pytest.mark.parametrize("integrator", ["prb", "prb_basic", "direct_projective"])
-def test_gradients_of_the_lights_position(integrator):
-    """Where `area` has them: they come with the geometry, and not through the choice of samples."""
-    ours = gradient("spherecap", integrator, "x", renders=4, spp=64)
-    theirs = gradient("area", integrator, "x", renders=4, spp=64, first=100)
-    print(integrator, ours.mean(0), theirs.mean(0), ours.std(0), theirs.std(0))
-    assert np.isfinite(ours).all()
-    error = np.sqrt((ours.var(0, ddof=1) + theirs.var(0, ddof=1)) / len(ours))
-    assert (np.abs(ours.mean(0) - theirs.mean(0)) <= 8 * error + 1e-6).all()
+def test_no_gradient_leaks_through_the_choice_of_samples(integrator):
+    """A light's position has no gradient here, with `area` either.
+
+    Without the sampling of silhouettes only the choice of samples depends on it, and that is detached. (So
+    this says nothing about the gradients that silhouettes have.)
+    """
+    assert not gradient("area", integrator, "x", renders=2, spp=64).any()
+    assert not gradient("spherecap", integrator, "x", renders=2, spp=64).any()
