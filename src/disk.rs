@@ -178,11 +178,11 @@ mod tests {
             let mut last = 0.0;
             check(2.0, |u| {
                 calls += 1;
-                if calls % step != 0 {
+                if !calls.is_multiple_of(step) {
                     return last;
                 }
                 last = square_to_disk(u, 0.5, beyond).from_edge;
-                if calls % 64 == 0 {
+                if calls.is_multiple_of(64) {
                     let [inverse, _] = disk_to_square(f64::from(last), 0.0, f64::from(beyond));
                     worst = worst.max((inverse - f64::from(u)).abs());
                 }

@@ -230,7 +230,7 @@ mod tests {
         let mut calls = 0_u32;
         exhaustive::check(single.rise * (1.0 + 4.0 * f32::EPSILON), |u| {
             let Offset { zenith, side, cosine } = marginal.sample(&single, false, u, 0.4);
-            if calls % 1024 == 0 && u > 0.0 {
+            if calls.is_multiple_of(1024) && u > 0.0 {
                 let offset = Offset { zenith: zenith.into(), side: side.into(), cosine: cosine.into() };
                 let [u0, u1] = exact.invert(&double, false, offset);
                 worst = worst.max((u0 - f64::from(u)).abs()).max((u1 - f64::from(0.4_f32)).abs());

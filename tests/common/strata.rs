@@ -21,7 +21,7 @@ fn power(random: &mut Random, low: i32, high: i32) -> f64 {
 }
 
 fn sign(random: &mut Random) -> f64 {
-    if random.bits() % 2 == 0 {
+    if random.bits().is_multiple_of(2) {
         1.0
     } else {
         -1.0
