@@ -262,6 +262,11 @@ impl<M: Copy, L: Blend<M>, const N: usize> Blend<M> for [L; N] {
     }
     #[inline(always)]
     fn blend(mask: M, yes: Self, no: Self) -> Self {
-        core::array::from_fn(|i| L::blend(mask, yes[i], no[i]))
+        // Not by a closure, which might not be inlined; see `lane.rs`.
+        let mut blended = yes;
+        for (blended, no) in blended.iter_mut().zip(&no) {
+            *blended = L::blend(mask, *blended, *no);
+        }
+        blended
     }
 }
