@@ -92,16 +92,16 @@ fn unit_or_zero<L: Lane>(normal: Vec3<L>) -> Vec3<L> {
 
 /// Whether the defensive fraction is one.
 #[inline(always)]
-fn is_fraction<L: Lane>(defensive: L) -> L::Mask {
+pub(crate) fn is_fraction<L: Lane>(defensive: L) -> L::Mask {
     L::lit(0.0).le(defensive) & defensive.le(L::lit(1.0))
 }
 
 /// Whether an offset may be that of a direction: components of a unit vector.
 #[inline(always)]
-pub(crate) fn is_offset<F: Scalar>(offset: Offset<F>) -> bool {
-    let largest = F::lit(1.0 + UNIT_TOLERANCE);
+pub(crate) fn is_offset<L: Lane>(offset: Offset<L>) -> L::Mask {
+    let largest = L::lit(1.0 + UNIT_TOLERANCE);
     let Offset { zenith, side, cosine } = offset;
-    zenith.abs() <= largest && side.abs() <= largest && cosine.abs() <= largest
+    zenith.abs().le(largest) & side.abs().le(largest) & cosine.abs().le(largest)
 }
 
 impl<F: Scalar> Sampler<F> {
