@@ -59,7 +59,7 @@ $(VENV)/installed: requirements.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
 	touch $@
 
-header: ## Remake include/spherecap.h from src/ffi.rs and src/ffi_record.rs.
+header: ## Remake include/spherecap.h from src/ffi*.rs.
 	SPHERECAP_WRITE_HEADER=1 cargo test --release --locked --test header
 
 accuracy: ## Remake docs/accuracy.md from what the kernels give.

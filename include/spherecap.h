@@ -1,7 +1,7 @@
 #ifndef SPHERECAP_H
 #define SPHERECAP_H
 
-// Generated from src/ffi.rs and src/ffi_record.rs by cbindgen: `make header`. Do not edit.
+// Generated from src/ffi*.rs by cbindgen: `make header`. Do not edit.
 
 #include <stddef.h>
 #include <stdint.h>
@@ -138,6 +138,49 @@ typedef struct spherecap_sample_t {
     // Density of the direction: the very bits that `spherecap_pdf` gives for the offset.
     struct spherecap_density_t density;
 } spherecap_sample_t;
+
+// Spheres as seen from many points: what `spherecap_prepare` is given, in arrays of one number for each point. An array may
+// begin at the address of any float. The points share the strategy. (The radius is an array, too, as each point may have
+// chosen its own light. Where all see one, fill it once: it serves every batch.)
+typedef struct spherecap_batch_t {
+    // A `spherecap_technique_t`.
+    uint32_t technique;
+    // A `spherecap_hemispheres_t`.
+    uint32_t hemispheres;
+    // The probability of sampling by solid angle over the whole cap instead, in [0, 1].
+    float defensive;
+    // Number of points; if 0, no array is looked at.
+    size_t count;
+    // Unit normals of the surfaces, or (0, 0, 0) on no surface: arrays of x, y and z.
+    const float *normal[3];
+    // The spheres' centres, each minus its point: arrays of x, y and z.
+    const float *centre[3];
+    // The spheres' radii.
+    const float *radius;
+} spherecap_batch_t;
+
+// Where to store densities: each an array of one number for each point, or NULL if it is not wanted.
+typedef struct spherecap_batch_densities_t {
+    // With respect to solid angle, per steradian.
+    float *solid_angle;
+    // With respect to projected solid angle: the same divided by |cosine|, but never infinite.
+    float *projected_solid_angle;
+} spherecap_batch_densities_t;
+
+// Where to store samples: each an array of one number for each point, or NULL if it is not wanted. See
+// `spherecap_sample_t`.
+typedef struct spherecap_batch_samples_t {
+    // The directions in the caps' frames: arrays of the zenith, side and cosine of a `spherecap_offset_t`.
+    float *offset[3];
+    // Unit directions from the points: arrays of x, y and z.
+    float *direction[3];
+    // Distances to the spheres' surfaces along the directions.
+    float *distance;
+    // Unit outward normals of the spheres there: arrays of x, y and z.
+    float *normal[3];
+    // Densities of the directions.
+    struct spherecap_batch_densities_t density;
+} spherecap_batch_samples_t;
 
 // A program that builds an expression graph: what it takes to record the kernels. Nodes have numbers other than 0, of the
 // program's choice: an index or a pointer. No function may call back into this library's, throw, or jump out.
@@ -297,6 +340,46 @@ uint32_t spherecap_projected_solid_angle(const struct spherecap_cap_t *cap, floa
 // Errors: as `spherecap_solid_angle`.
 uint32_t spherecap_density_bound(const struct spherecap_cap_t *cap,
                                  float *bound);
+
+// The instructions that the functions on arrays use on this CPU: "AVX-512", "AVX2", or "portable" for one number at a time.
+// Not to be freed. The results are the same.
+const char *spherecap_batch_instructions(void);
+
+// Prepares the spheres and samples a direction towards each, with the random numbers in the arrays `u0` and `u1`.
+//
+// Stores for each point what `spherecap_sample` stores, to the bit, wherever in the arrays it is. A density of zero tells
+// where it would have failed: where nothing is above the horizon, or the input is bad, which `spherecap_prepare` can tell
+// apart. Arrays that are stored to must not overlap each other or those that are read. For several threads, give each a
+// part of the arrays.
+//
+// Errors: NULL_POINTER (of the arrays that are read, too), TECHNIQUE, HEMISPHERES, DEFENSIVE; then nothing is stored.
+uint32_t spherecap_batch_sample(const struct spherecap_batch_t *batch,
+                                const float *u0,
+                                const float *u1,
+                                const struct spherecap_batch_samples_t *samples);
+
+// `spherecap_pdf` for each point, of the offsets in three arrays (at `offset`): zenith, side and cosine. The density is also
+// zero where the sphere or the offset would be refused.
+//
+// Errors: as `spherecap_batch_sample`.
+uint32_t spherecap_batch_pdf(const struct spherecap_batch_t *batch,
+                             const float *const *offset,
+                             const struct spherecap_batch_densities_t *densities);
+
+// `spherecap_pdf_direction` for each point, of the unit directions in three arrays (at `direction`): x, y and z. The density
+// is also zero where the sphere or the direction would be refused.
+//
+// Errors: as `spherecap_batch_sample`.
+uint32_t spherecap_batch_pdf_direction(const struct spherecap_batch_t *batch,
+                                       const float *const *direction,
+                                       const struct spherecap_batch_densities_t *densities);
+
+// `spherecap_pdf_on_sphere` for each point; otherwise as `spherecap_batch_pdf_direction`.
+//
+// Errors: as `spherecap_batch_sample`.
+uint32_t spherecap_batch_pdf_on_sphere(const struct spherecap_batch_t *batch,
+                                       const float *const *direction,
+                                       const struct spherecap_batch_densities_t *densities);
 
 // Records `spherecap_prepare` and `spherecap_sample` with two random numbers (at `u`) as one graph. Random numbers outside
 // [0, 1] are taken for the nearer end, and NaN for 0.

@@ -1,6 +1,6 @@
 //! The C ABI: check, convert, call, store. No mathematics.
 //!
-//! `include/spherecap.h` is generated from this file and `ffi_record.rs`, comments included.
+//! `include/spherecap.h` is generated from this file and the other `ffi_*.rs`, comments included.
 
 #![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
 

@@ -1,6 +1,6 @@
 //! The part of the C ABI that records the kernels into a caller's expression graph. No mathematics.
 //!
-//! `include/spherecap.h` is generated from this file and `ffi.rs`, comments included.
+//! `include/spherecap.h` is generated from it, too.
 
 #![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
 

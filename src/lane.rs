@@ -7,6 +7,7 @@
 //!   scalar, an any/all test for a packet, a select when recording.
 //! - Elementary functions are built from the operations below (`math.rs`), never taken from a platform.
 
+pub(crate) mod packet;
 pub(crate) mod recorded;
 mod scalar;
 
@@ -102,7 +103,7 @@ pub trait Lane:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The bit pattern, read as an integer and converted to the nearest number of this type.
     fn bits(self) -> Self;
-    /// The inverse of [`Lane::bits`]: a non-negative number, truncated, becomes a bit pattern.
+    /// The inverse of [`Lane::bits`]: a number in [0, 2^31), truncated, becomes a bit pattern. Others give any number.
     fn float_of_bits(self) -> Self;
 }
 

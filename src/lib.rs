@@ -30,10 +30,12 @@
 //! After C. Peters and C. Dachsbacher, "Sampling Projected Spherical Caps in Real Time", Proc. ACM Comput. Graph. Interact. Tech.
 //! 2(1), 2019, with a uniform technique where theirs is not, and numerics that hold in single precision.
 
+pub mod batch;
 mod cap;
 mod compensated;
 mod disk;
 mod ffi;
+mod ffi_batch;
 mod ffi_record;
 mod fits;
 mod lane;

@@ -1,4 +1,4 @@
-//! `include/spherecap.h` is what cbindgen makes of `src/ffi.rs` and `src/ffi_record.rs`. Remake it with `make header`.
+//! `include/spherecap.h` is what cbindgen makes of `src/ffi.rs`, `src/ffi_batch.rs` and `src/ffi_record.rs`. Remake it with `make header`.
 
 use std::{env, fs, path::Path};
 
@@ -12,6 +12,7 @@ fn the_header_is_not_stale() {
             cbindgen::Config::from_file(root.join("cbindgen.toml")).expect("cbindgen.toml is readable"),
         )
         .with_src(root.join("src/ffi.rs"))
+        .with_src(root.join("src/ffi_batch.rs"))
         .with_src(root.join("src/ffi_record.rs"))
         .generate()
         .expect("cbindgen understands the boundary files")
@@ -24,6 +25,6 @@ fn the_header_is_not_stale() {
     let found = fs::read_to_string(&path).unwrap_or_default();
     assert!(
         found == made,
-        "include/spherecap.h is not what src/ffi.rs and src/ffi_record.rs give: run `make header` and look at the diff"
+        "include/spherecap.h is not what src/ffi*.rs give: run `make header` and look at the diff"
     );
 }

@@ -1,0 +1,77 @@
+//! Eight numbers: AVX2 and FMA. A mask is a register with all bits of a lane set, or none.
+
+use super::*;
+use core::arch::x86_64::*;
+
+packet! {
+    F32x8(__m256) of 8, Mask8(__m256),
+    load: _mm256_loadu_ps, store: _mm256_storeu_ps, set: _mm256_set1_ps,
+    neg: neg, add: _mm256_add_ps, sub: _mm256_sub_ps, mul: _mm256_mul_ps, div: _mm256_div_ps,
+    fma: _mm256_fmadd_ps, sqrt: _mm256_sqrt_ps, abs: abs, min: _mm256_min_ps, max: _mm256_max_ps,
+    lt: lt, le: le, select: select, bits: bits, float_of_bits: float_of_bits,
+    and: _mm256_and_ps, or: _mm256_or_ps, not: not, any: any, all: all,
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn neg(a: __m256) -> __m256 {
+    _mm256_xor_ps(a, _mm256_set1_ps(-0.0))
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn abs(a: __m256) -> __m256 {
+    _mm256_andnot_ps(_mm256_set1_ps(-0.0), a)
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn lt(a: __m256, b: __m256) -> __m256 {
+    _mm256_cmp_ps::<_CMP_LT_OQ>(a, b)
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn le(a: __m256, b: __m256) -> __m256 {
+    _mm256_cmp_ps::<_CMP_LE_OQ>(a, b)
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn select(mask: __m256, yes: __m256, no: __m256) -> __m256 {
+    _mm256_blendv_ps(no, yes, mask)
+}
+
+/// Conversions are of signed integers: the halves convert exactly, and their sum is rounded once.
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn bits(a: __m256) -> __m256 {
+    let bits = _mm256_castps_si256(a);
+    let high = _mm256_cvtepi32_ps(_mm256_srli_epi32::<16>(bits));
+    let low = _mm256_cvtepi32_ps(_mm256_and_si256(bits, _mm256_set1_epi32(0xffff)));
+    _mm256_fmadd_ps(high, _mm256_set1_ps(65536.0), low)
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn float_of_bits(a: __m256) -> __m256 {
+    _mm256_castsi256_ps(_mm256_cvttps_epi32(a))
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn not(a: __m256) -> __m256 {
+    _mm256_xor_ps(a, _mm256_castsi256_ps(_mm256_set1_epi32(-1)))
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn any(a: __m256) -> bool {
+    _mm256_movemask_ps(a) != 0
+}
+
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn all(a: __m256) -> bool {
+    _mm256_movemask_ps(a) == 0xff
+}

@@ -1,0 +1,80 @@
+//! Sixteen numbers: AVX-512F. A mask is a bit per lane, in a register of its own kind.
+
+use super::*;
+use core::arch::x86_64::*;
+
+packet! {
+    F32x16(__m512) of 16, Mask16(__mmask16),
+    load: _mm512_loadu_ps, store: _mm512_storeu_ps, set: _mm512_set1_ps,
+    neg: neg, add: _mm512_add_ps, sub: _mm512_sub_ps, mul: _mm512_mul_ps, div: _mm512_div_ps,
+    fma: _mm512_fmadd_ps, sqrt: _mm512_sqrt_ps, abs: _mm512_abs_ps, min: _mm512_min_ps, max: _mm512_max_ps,
+    lt: lt, le: le, select: select, bits: bits, float_of_bits: float_of_bits,
+    and: and, or: or, not: not, any: any, all: all,
+}
+
+/// By integers: the operation on numbers is AVX-512DQ's.
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn neg(a: __m512) -> __m512 {
+    _mm512_castsi512_ps(_mm512_xor_si512(_mm512_castps_si512(a), _mm512_set1_epi32(i32::MIN)))
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn lt(a: __m512, b: __m512) -> __mmask16 {
+    _mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b)
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn le(a: __m512, b: __m512) -> __mmask16 {
+    _mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b)
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn select(mask: __mmask16, yes: __m512, no: __m512) -> __m512 {
+    _mm512_mask_blend_ps(mask, no, yes)
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn bits(a: __m512) -> __m512 {
+    _mm512_cvtepu32_ps(_mm512_castps_si512(a))
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn float_of_bits(a: __m512) -> __m512 {
+    _mm512_castsi512_ps(_mm512_cvttps_epi32(a))
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn and(a: __mmask16, b: __mmask16) -> __mmask16 {
+    a & b
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn or(a: __mmask16, b: __mmask16) -> __mmask16 {
+    a | b
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn not(a: __mmask16) -> __mmask16 {
+    !a
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn any(a: __mmask16) -> bool {
+    a != 0
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn all(a: __mmask16) -> bool {
+    a == 0xffff
+}
