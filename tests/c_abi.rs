@@ -6,6 +6,7 @@
 mod common;
 
 use common::{hard_scenes, reference_caps, strategies, Random, Scene};
+use spherecap::batch::Instructions;
 use spherecap::{Density, Sampler, Strategy};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -252,6 +253,17 @@ fn cpp_calls_every_function_and_threads_share_nothing() {
 }
 
 #[test]
+fn batches_from_c_give_the_bits_of_single_calls() {
+    let instructions = run_both("tests/c/batch.c", "");
+    let expected = match Instructions::widest() {
+        Instructions::Portable => "portable",
+        Instructions::Avx2 => "AVX2",
+        Instructions::Avx512 => "AVX-512",
+    };
+    assert_eq!(instructions.trim(), expected, "instructions that C names, and those that Rust does");
+}
+
+#[test]
 fn numbers_of_every_kind_do_no_harm() {
     print!("{}", run_both("tests/c/fuzz.c", ""));
     // The long run, of `make test-long`: more trials, without sanitizers to slow them down.
@@ -301,11 +313,12 @@ fn everything_in_the_header_is_documented_and_every_function_is_called() {
     }
     assert!(documented > 40, "the header is read wrongly: {documented} declarations");
 
-    for source in ["tests/c/calls.c", "tests/c/calls.cpp"] {
-        let text = fs::read_to_string(root().join(source)).expect("the sources are readable");
+    for sources in [&["tests/c/calls.c", "tests/c/batch.c"][..], &["tests/c/calls.cpp"]] {
+        let read = |source| fs::read_to_string(root().join(source)).expect("the sources are readable");
+        let text: String = sources.iter().map(read).collect();
         let code: String = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
         for name in functions() {
-            assert!(code.contains(&format!("{name}(")), "{source} does not call {name}");
+            assert!(code.contains(&format!("{name}(")), "{sources:?} do not call {name}");
         }
     }
 }
@@ -497,13 +510,16 @@ fn no_function_can_panic_or_allocate() {
 #[cfg(target_arch = "x86_64")]
 fn kernels_for_this_cpu_call_nothing() {
     let references = references();
-    let mut kernels = 0;
-    for section in references.keys().filter(|name| name.starts_with(".text.") && name.contains("5fused")) {
+    let kinds = ["5fused", "6packet6arrays4avx2", "6packet6arrays6avx512"];
+    let mut kernels = kinds.map(|_| 0);
+    for section in references.keys().filter(|name| name.starts_with(".text.")) {
+        let Some(kind) = kinds.iter().position(|kind| section.contains(kind)) else { continue };
         let calls: Vec<_> = references[section].iter().filter(|name| !name.starts_with(".LCPI")).collect();
         let is_harmless =
             |name: &str| !name.starts_with(".text") && !name.starts_with("fma") && !name.starts_with("_");
         assert!(calls.iter().all(|name| is_harmless(name)), "{section} calls {calls:?}");
-        kernels += 1;
+        kernels[kind] += 1;
     }
-    assert!(kernels >= 6, "the relocations are read wrongly: {kernels} kernels");
+    let [fused, avx2, avx512] = kernels;
+    assert!(fused >= 6 && avx2 == 4 && avx512 == 4, "the relocations are read wrongly: {kernels:?} kernels");
 }

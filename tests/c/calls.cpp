@@ -84,6 +84,36 @@ void call_from_two_threads() {
     CHECK(std::memcmp(second.data(), alone.data(), size) == 0);
 }
 
+// Vectors as arrays, which need no alignment of their own; what is not wanted is null.
+void call_the_batches() {
+    constexpr std::size_t count = 100;
+    const std::vector<float> zeros(count, 0.0f), ones(count, 1.0f), threes(count, 3.0f), halves(count, 0.5f);
+    const spherecap_batch_t batch{SPHERECAP_TECHNIQUE_PROJECTED,
+                                  SPHERECAP_HEMISPHERES_BOTH,
+                                  0.125f,
+                                  count,
+                                  {zeros.data(), zeros.data(), ones.data()},
+                                  {threes.data(), zeros.data(), zeros.data()},
+                                  ones.data()};
+    std::vector<float> x(count), y(count), z(count), pdf(count);
+    spherecap_batch_samples_t samples{};
+    samples.direction[0] = x.data();
+    samples.direction[1] = y.data();
+    samples.direction[2] = z.data();
+    samples.density.solid_angle = pdf.data();
+    CHECK(spherecap_batch_sample(&batch, halves.data(), halves.data(), &samples) == SPHERECAP_STATUS_OK);
+    CHECK(*std::min_element(pdf.begin(), pdf.end()) > 0.0f);
+
+    const std::array<const float *, 3> directions{x.data(), y.data(), z.data()};
+    const std::array<const float *, 3> offsets{zeros.data(), zeros.data(), halves.data()};
+    const spherecap_batch_densities_t densities{pdf.data(), nullptr};
+    CHECK(spherecap_batch_pdf(&batch, offsets.data(), &densities) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_batch_pdf_direction(&batch, directions.data(), &densities) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_batch_pdf_on_sphere(&batch, directions.data(), &densities) == SPHERECAP_STATUS_OK);
+    CHECK(*std::min_element(pdf.begin(), pdf.end()) > 0.0f);
+    CHECK(!std::string_view(spherecap_batch_instructions()).empty());
+}
+
 // A graph without edges: every node is new.
 void call_the_recorder() {
     std::vector<bool> alive(1, false);
@@ -121,6 +151,7 @@ void call_the_recorder() {
 
 int main() {
     call_everything();
+    call_the_batches();
     call_the_recorder();
     call_from_two_threads();
 }
