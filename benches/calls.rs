@@ -1,0 +1,196 @@
+//! The pieces of work. Scalars are timed through calls that cannot be inlined, compiled for the instructions that the C ABI would
+//! choose on this CPU; a loop over inlined kernels would be vectorised.
+
+use crate::published::Published;
+use crate::scenes::{Scene, CAPS};
+use crate::timing::Work;
+use spherecap::batch::{Batch, Instructions, Samples};
+use spherecap::{Cap, Density, Offset, Sampler, Scalar, Strategy, Vec3};
+use std::hint::black_box;
+
+/// Samples of a cap where there are many.
+pub const SAMPLES: usize = 16;
+
+/// What is timed, per call: columns of the table.
+pub const TASKS: [&str; 6] =
+    ["prepare", "sample", "pdf", "invert", "prepare + 1 sample", "prepare + 16 samples"];
+
+macro_rules! calls {
+    ($(fn $name:ident$(<$float:ident>)?($($argument:ident: $type:ty),*) $(-> $result:ty)? $body:block)*) => {$(
+        #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
+        #[inline(never)]
+        unsafe fn $name$(<$float: Scalar>)?($($argument: $type),*) $(-> $result)? $body
+    )*};
+}
+calls! {
+    fn prepare<F>(strategy: &Strategy<F>, scene: &[F; 7], sampler: &mut Sampler<F>) {
+        let [nx, ny, nz, cx, cy, cz, radius] = *scene;
+        *sampler = Sampler::new(Cap::new(Vec3::new(nx, ny, nz), Vec3::new(cx, cy, cz), radius), *strategy);
+    }
+    fn sample<F>(sampler: &Sampler<F>, u0: F, u1: F) -> (Vec3<F>, F) {
+        let sample = sampler.sample(u0, u1);
+        (sample.direction, sample.density.solid_angle)
+    }
+    fn pdf<F>(sampler: &Sampler<F>, offset: &Offset<F>) -> Density<F> {
+        sampler.pdf(*offset)
+    }
+    fn invert<F>(sampler: &Sampler<F>, offset: &Offset<F>) -> [F; 2] {
+        sampler.invert(*offset)
+    }
+    fn published_prepare(scene: &Scene, cap: &mut Published) {
+        let Scene { normal, centre, radius } = *scene;
+        *cap = Published::new(normal.into(), centre.into(), radius);
+    }
+    fn published_sample(cap: &Published, u0: f32, u1: f32) -> (glam::Vec3, f32) {
+        cap.sample(u0, u1)
+    }
+}
+
+/// Inputs of the scalar calls.
+pub struct Inputs<F> {
+    strategy: Strategy<F>,
+    scenes: Vec<[F; 7]>,
+    numbers: Vec<F>,
+    samplers: Vec<Sampler<F>>,
+    offsets: Vec<Offset<F>>,
+}
+
+impl<F: Scalar> Inputs<F> {
+    pub fn new(strategy: Strategy<F>, scenes: &[Scene], numbers: &[f32]) -> Self {
+        let lane = |x: &f32| F::lit(f64::from(*x));
+        let numbers: Vec<F> = numbers.iter().map(lane).collect();
+        let scenes = scenes.iter().map(|Scene { normal: [nx, ny, nz], centre: [cx, cy, cz], radius }| {
+            [nx, ny, nz, cx, cy, cz, radius].map(lane)
+        });
+        let scenes: Vec<[F; 7]> = scenes.collect();
+        let samplers: Vec<_> = scenes
+            .iter()
+            .map(|&[nx, ny, nz, cx, cy, cz, radius]| {
+                let (normal, centre) = (Vec3::new(nx, ny, nz), Vec3::new(cx, cy, cz));
+                Sampler::prepare(strategy, normal, centre, radius).expect("the scenes are above the horizon")
+            })
+            .collect();
+        let offsets = samplers.iter().zip(numbers.chunks_exact(2)).map(|(s, u)| s.sample(u[0], u[1]).offset);
+        let offsets = offsets.collect();
+        Self { strategy, scenes, numbers, samplers, offsets }
+    }
+
+    /// [`TASKS`]. Calls with a prepared cap are made [`SAMPLES`] times for each, so that it is in the cache, as it is after its
+    /// preparation.
+    ///
+    /// # Safety
+    /// The CPU has AVX2 and FMA.
+    pub unsafe fn works(&self) -> Vec<Work<'_>> {
+        let Self { strategy, scenes, numbers, samplers, offsets } = self;
+        let u = move |i: usize, j: usize| {
+            let k = 2 * ((i + j * 61) % (numbers.len() / 2));
+            (numbers[k], numbers[k + 1])
+        };
+        let with_preparation = |samples: usize| {
+            let mut sampler = samplers[0];
+            let run = move || {
+                for (i, scene) in scenes.iter().enumerate() {
+                    // SAFETY: the caller's promise.
+                    unsafe { prepare(black_box(strategy), scene, &mut sampler) };
+                    for j in 0..samples {
+                        let (u0, u1) = u(i, j);
+                        // SAFETY: the caller's promise.
+                        black_box(unsafe { sample(&sampler, u0, u1) });
+                    }
+                }
+            };
+            Work { calls: CAPS * samples.max(1), run: Box::new(run) }
+        };
+        let sampling = move || {
+            for (i, sampler) in samplers.iter().enumerate() {
+                for j in 0..SAMPLES {
+                    let (u0, u1) = u(i, j);
+                    // SAFETY: the caller's promise.
+                    black_box(unsafe { sample(sampler, u0, u1) });
+                }
+            }
+        };
+        let densities = move || {
+            for (sampler, offset) in samplers.iter().zip(offsets) {
+                for _ in 0..SAMPLES {
+                    // SAFETY: the caller's promise.
+                    black_box(unsafe { pdf(sampler, black_box(offset)) });
+                }
+            }
+        };
+        let inverting = move || {
+            for (sampler, offset) in samplers.iter().zip(offsets) {
+                for _ in 0..SAMPLES {
+                    // SAFETY: the caller's promise.
+                    black_box(unsafe { invert(sampler, black_box(offset)) });
+                }
+            }
+        };
+        let calls = CAPS * SAMPLES;
+        vec![
+            with_preparation(0),
+            Work { calls, run: Box::new(sampling) },
+            Work { calls, run: Box::new(densities) },
+            Work { calls, run: Box::new(inverting) },
+            with_preparation(1),
+            with_preparation(SAMPLES),
+        ]
+    }
+}
+
+/// The published method's preparation, and it with one sample and many.
+///
+/// # Safety
+/// The CPU has AVX2 and FMA.
+pub unsafe fn published_works<'a>(scenes: &'a [Scene], numbers: &'a [f32]) -> [Work<'a>; 3] {
+    [0, 1, SAMPLES].map(|samples| {
+        let mut cap = Published::new(scenes[0].normal.into(), scenes[0].centre.into(), scenes[0].radius);
+        let run = move || {
+            for (i, scene) in scenes.iter().enumerate() {
+                // SAFETY: the caller's promise.
+                unsafe { published_prepare(scene, &mut cap) };
+                for j in 0..samples {
+                    let k = 2 * ((i + j * 61) % (numbers.len() / 2));
+                    // SAFETY: the caller's promise.
+                    black_box(unsafe { published_sample(&cap, numbers[k], numbers[k + 1]) });
+                }
+            }
+        };
+        Work { calls: CAPS * samples.max(1), run: Box::new(run) }
+    })
+}
+
+/// The same caps as arrays.
+pub struct Arrays {
+    normal: [Vec<f32>; 3],
+    centre: [Vec<f32>; 3],
+    radius: Vec<f32>,
+    u: [Vec<f32>; 2],
+}
+
+impl Arrays {
+    pub fn new(scenes: &[Scene], numbers: &[f32]) -> Self {
+        Self {
+            normal: [0, 1, 2].map(|axis| scenes.iter().map(|scene| scene.normal[axis]).collect()),
+            centre: [0, 1, 2].map(|axis| scenes.iter().map(|scene| scene.centre[axis]).collect()),
+            radius: scenes.iter().map(|scene| scene.radius).collect(),
+            u: [0, 1].map(|k| numbers.chunks_exact(2).take(scenes.len()).map(|u| u[k]).collect()),
+        }
+    }
+
+    /// Preparation and one sample of each.
+    pub fn work(&self, instructions: Instructions, strategy: Strategy<f32>) -> Work<'_> {
+        let Self { normal, centre, radius, u } = self;
+        let [normal, centre] = [normal, centre].map(|v| Vec3::from(v.each_ref().map(Vec::as_slice)));
+        let batch = Batch { strategy, normal, centre, radius };
+        let mut outputs = [(); 4].map(|()| vec![0.0; CAPS]);
+        let run = move || {
+            let [x, y, z, pdf] = outputs.each_mut().map(|output| Some(&mut output[..]));
+            let density = Density { solid_angle: pdf, projected_solid_angle: None };
+            let samples = Samples { direction: Vec3::new(x, y, z), density, ..Samples::default() };
+            batch.sample_with(instructions, u.each_ref().map(Vec::as_slice), samples);
+            black_box(&outputs);
+        };
+        Work { calls: CAPS, run: Box::new(run) }
+    }
+}
