@@ -14,7 +14,7 @@ VARIANT ?= scalar_rgb
 SPP ?= 16
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-rust test-python test-long lint format build header accuracy bench fits picture clean FORCE
+.PHONY: help demo test test-rust test-python test-long lint format build header accuracy bench instructions fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -65,8 +65,11 @@ header: ## Remake include/spherecap.h from src/ffi*.rs.
 accuracy: ## Remake docs/accuracy.md from what the kernels give.
 	SPHERECAP_WRITE_ACCURACY=1 cargo test --release --locked --test accuracy
 
-bench: ## What sampling costs, beside solid angles and the published method.
+bench: ## What sampling costs, beside solid angles and the published method; also as out/bench.json.
 	cargo bench --locked --bench cost
+
+instructions: ## How many instructions sampling takes; needs valgrind.
+	cargo bench --locked --bench instructions
 
 test-long: ## The random tests, with many more inputs than in `make test`: about ten minutes.
 	PROPTEST_CASES=2000000 cargo test --release --locked --test strata

@@ -3,7 +3,6 @@
 
 use crate::published::Published;
 use crate::scenes::{Scene, CAPS};
-use crate::timing::Work;
 use spherecap::batch::{Batch, Instructions, Samples};
 use spherecap::{Cap, Density, Offset, Sampler, Scalar, Strategy, Vec3};
 use std::hint::black_box;
@@ -14,6 +13,12 @@ pub const SAMPLES: usize = 16;
 /// What is timed, per call: columns of the table.
 pub const TASKS: [&str; 6] =
     ["prepare", "sample", "pdf", "invert", "prepare + 1 sample", "prepare + 16 samples"];
+
+/// Something to time or count: how many calls it makes, and a function that makes them.
+pub struct Work<'a> {
+    pub calls: usize,
+    pub run: Box<dyn FnMut() + 'a>,
+}
 
 macro_rules! calls {
     ($(fn $name:ident$(<$float:ident>)?($($argument:ident: $type:ty),*) $(-> $result:ty)? $body:block)*) => {$(

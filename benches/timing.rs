@@ -1,15 +1,10 @@
 //! Times of several pieces of work, in rounds that go through all of them: what else the machine does hits all alike.
 
+use crate::calls::Work;
 use std::time::{Duration, Instant};
 
 /// Rounds that count. Medians over so many repeat to about two units in their second digit on a machine that others use, too.
 pub const ROUNDS: usize = 101;
-
-/// Something to time: how many calls it makes, and a function that makes them.
-pub struct Work<'a> {
-    pub calls: usize,
-    pub run: Box<dyn FnMut() + 'a>,
-}
 
 /// What a work runs for before it is timed. A CPU that has run AVX-512 stays slower for 0.7 milliseconds, which would be counted to
 /// the next; and caches and branch predictors know the last one.

@@ -23,9 +23,10 @@
 //! # Ok::<(), spherecap::Refusal>(())
 //! ```
 //!
-//! The kernels are written once, generic over a [`Lane`]: `f32` and `f64` here; whatever else has its operations (a packet,
-//! a node of an expression graph) runs the same code. [`Sampler::prepare`] is the checked way in for scalars,
-//! [`Cap::new`] and [`Sampler::new`] are total functions of any lane. The C ABI is `include/spherecap.h`.
+//! The kernels are written once, generic over a [`Lane`]: `f32` and `f64`; whatever else has its operations (a packet of
+//! numbers, a node of an expression graph) runs the same code. [`Sampler::prepare`] is the checked way in for scalars,
+//! [`batch`] the one for arrays of points; [`Cap::new`] and [`Sampler::new`] are total functions of any lane. The C ABI is
+//! `include/spherecap.h`.
 //!
 //! After C. Peters and C. Dachsbacher, "Sampling Projected Spherical Caps in Real Time", Proc. ACM Comput. Graph. Interact. Tech.
 //! 2(1), 2019, with a uniform technique where theirs is not, and numerics that hold in single precision.
