@@ -73,7 +73,7 @@ unsafe fn measure(set: &'static str, scenes: &[Scene], numbers: &[f32]) -> Vec<R
     }
     for instructions in Instructions::ALL.into_iter().filter(|set| set.are_available()) {
         for (method, technique) in TECHNIQUES {
-            names.push((format!("{instructions:?}"), method, one));
+            names.push((instructions.to_string(), method, one));
             works.push(arrays.work(instructions, strategy(technique)));
         }
     }

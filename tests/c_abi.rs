@@ -255,12 +255,8 @@ fn cpp_calls_every_function_and_threads_share_nothing() {
 #[test]
 fn batches_from_c_give_the_bits_of_single_calls() {
     let instructions = run_both("tests/c/batch.c", "");
-    let expected = match Instructions::widest() {
-        Instructions::Portable => "portable",
-        Instructions::Avx2 => "AVX2",
-        Instructions::Avx512 => "AVX-512",
-    };
-    assert_eq!(instructions.trim(), expected, "instructions that C names, and those that Rust does");
+    println!("instruction set exercised: {}", instructions.trim());
+    assert_eq!(instructions.trim(), Instructions::widest().to_string(), "what C names, and what Rust does");
 }
 
 #[test]

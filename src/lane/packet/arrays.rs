@@ -5,7 +5,7 @@ use super::Packet;
 use super::{avx2::F32x8, avx512::F32x16};
 use crate::lane::Lane;
 use crate::sampling::Strategy;
-use core::ffi::CStr;
+use core::{ffi::CStr, fmt};
 
 /// What a CPU may have for packets of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,13 +48,19 @@ impl Instructions {
         }
     }
 
-    /// Their name, as in the C ABI.
+    /// Their name: "AVX-512", "AVX2" or "portable".
     pub(crate) const fn name(self) -> &'static CStr {
         match self {
             Self::Portable => c"portable",
             Self::Avx2 => c"AVX2",
             Self::Avx512 => c"AVX-512",
         }
+    }
+}
+
+impl fmt::Display for Instructions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name().to_str().expect("names are ASCII"))
     }
 }
 
@@ -84,7 +90,7 @@ pub(crate) fn run_slices<K: Kernel<I, O>, const I: usize, const O: usize>(
     outputs.iter().flatten().for_each(|output| check(output.len()));
     let inputs = inputs.map(<[f32]>::as_ptr);
     let outputs = outputs.map(|output| output.map_or(core::ptr::null_mut(), <[f32]>::as_mut_ptr));
-    assert!(instructions.are_available(), "this CPU does not have {instructions:?}");
+    assert!(instructions.are_available(), "this CPU does not have {instructions}");
     // SAFETY: the lengths and the CPU were checked, and slices are valid.
     unsafe { run::<K, I, O>(instructions, strategy, &inputs, &outputs, count) }
 }
@@ -279,7 +285,7 @@ mod tests {
         };
         let expected = results(Instructions::Portable);
         for instructions in Instructions::ALL.into_iter().filter(|i| i.are_available()) {
-            println!("{instructions:?}");
+            println!("instruction set exercised: {instructions}");
             for (operation, (found, expected)) in results(instructions).iter().zip(&expected).enumerate() {
                 for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
                     // Which NaN an operation gives is nobody's promise.
@@ -287,7 +293,7 @@ mod tests {
                     let (a, b, c) = (a[i], b[i], c[i]);
                     assert!(
                         same,
-                        "{instructions:?}, {operation}: {found:e}, not {expected:e}, for {a:e} {b:e} {c:e}"
+                        "{instructions}, {operation}: {found:e}, not {expected:e}, for {a:e} {b:e} {c:e}"
                     );
                 }
             }
