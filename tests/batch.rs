@@ -212,7 +212,7 @@ fn batches_give_the_bits_of_scalars() {
         arrays.normal.iter_mut().for_each(|n| n[i] *= factor);
     }
     let bad =
-        [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.0, 0.0, -0.0, f32::MAX, 1e-45, 1.001, -f32::NAN];
+        [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.0, 0.0, -0.0, f32::MAX, 1e-45, 1.0011, -f32::NAN];
     for (k, numbers) in arrays.numbers().enumerate() {
         for (i, number) in numbers.iter_mut().enumerate().skip(k * 7 % 31).step_by(131) {
             *number = bad[i % bad.len()];
