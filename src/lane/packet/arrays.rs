@@ -113,10 +113,12 @@ pub(crate) unsafe fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
         match instructions {
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx512 => {
-                any_length::<16, I, O>(avx512::<K, I, O>, strategy, inputs, outputs, count)
+                any_length::<{ F32x16::WIDTH }, I, O>(avx512::<K, I, O>, strategy, inputs, outputs, count)
             }
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => any_length::<8, I, O>(avx2::<K, I, O>, strategy, inputs, outputs, count),
+            Instructions::Avx2 => {
+                any_length::<{ F32x8::WIDTH }, I, O>(avx2::<K, I, O>, strategy, inputs, outputs, count)
+            }
             _ => packets::<f32, K, I, O>(strategy, inputs, outputs, count),
         }
     }
