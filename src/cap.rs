@@ -24,7 +24,7 @@
 
 use crate::compensated::{dot, product};
 use crate::disk::shape_and_difference;
-use crate::lane::{branch, lit, Blend, Lane};
+use crate::lane::{branch, lit, Blend, Lane, Only};
 use crate::math::power_of_two_near_reciprocal;
 use crate::vec3::Vec3;
 use core::f64::consts::PI;
@@ -55,17 +55,19 @@ pub struct Cap<L> {
     /// Solid angle of the whole cap, in steradians, and its reciprocal; both 0 where nothing is visible.
     pub(crate) solid_angle: L,
     pub(crate) inv_solid_angle: L,
-    /// What the horizon cuts off; all zero in cases 1 and 4.
+    /// What the horizon cuts off.
     pub(crate) crescent: Crescent<L>,
     /// `(s^2 - Z^2) / (s X + v |Z|)`: how far the crescent rises above (or hangs below) the horizon, `c_z + r_z` in case 3.
-    /// Negative without a cut: then its magnitude is how far the cap's nearer end is from the horizon.
+    /// Negative without a cut: then its magnitude is how far the cap's nearer end is from the horizon. Infinite without a
+    /// surface.
     pub(crate) rise: L,
     /// Projected solid angles of the parts above and below the horizon, in steradians.
     pub(crate) projected_above: L,
     pub(crate) projected_below: L,
 }
 
-/// The part of a cut cap on the side of the horizon where its centre is not.
+/// The part of a cut cap on the side of the horizon where its centre is not. In cases 1 and 4 `tau` and `area` are zero, and the
+/// rest is anything.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(crate) struct Crescent<L> {
@@ -87,6 +89,8 @@ pub(crate) struct Crescent<L> {
     pub shape_cut: L,
     /// `N`, in [4/15, pi/2].
     pub norm: L,
+    /// Its projected solid angle.
+    pub area: L,
 }
 
 impl<L: Lane> Crescent<L> {
@@ -105,8 +109,8 @@ impl<L: Lane> Cap<L> {
     /// as it stands: a cosine is a dot product with it. Total: lanes with other input give a cap with areas 0 or NaN.
     #[inline(always)]
     pub fn new(normal: Vec3<L>, centre: Vec3<L>, radius: L) -> Self {
-        let longest = centre.x.abs().max(centre.y.abs()).max(centre.z.abs()).max(radius);
-        let [scale, unscale] = power_of_two_near_reciprocal(longest);
+        let size = (centre.x.abs() + centre.y.abs()) + (centre.z.abs() + radius);
+        let scale = power_of_two_near_reciprocal(size);
         let (c, r) = (centre * scale, radius * scale);
 
         let d2 = dot(c, c);
@@ -117,97 +121,101 @@ impl<L: Lane> Cap<L> {
         let d = d2.hi.sqrt();
         let inv_d = lit(1.0) / d;
 
-        let height = dot(normal, c);
-        let sets = height.hi.lt(L::lit(0.0));
-        let h = height.hi.abs();
-        let h_error = L::select(sets, -height.lo, height.lo);
-        let r_minus_h = (r - h) - h_error;
+        let height = dot(normal, c).normalised();
+        let (r_minus_h, r_plus_h) = ((r - height.hi) - height.lo, (r + height.hi) + height.lo);
         // (s^2 - Z^2) d^2, positive where the horizon cuts the sphere.
-        let q = r_minus_h * ((r + h) + h_error);
+        let q = r_minus_h * r_plus_h;
         let on_surface = L::lit(0.0).lt(normal.dot(normal));
-        let is_cut = L::lit(0.0).lt(r_minus_h) & outside & on_surface;
+        let is_cut = L::lit(0.0).lt(q) & outside & on_surface;
 
         // |n x C| is X d. Where it (nearly) vanishes, at the zenith, any frame does: below 2^-51 in f32, X matters to
         // nothing, and above, its square is far from underflow and the vector as precise as the input.
         let sideways = normal.cross(c);
         let sideways2 = sideways.dot(sideways);
         let has_side = L::lit(L::MIN_POSITIVE / L::EPSILON).lt(sideways2);
-        let side = branch!(
-            has_side,
-            sideways,
-            Vec3::blend(
+        let (side, side2) = branch!(has_side, (sideways, sideways2), {
+            let side = Vec3::blend(
                 c.x.abs().lt(c.z.abs()),
                 Vec3::new(L::lit(0.0), -c.z, c.y),
                 Vec3::new(-c.y, c.x, L::lit(0.0)),
-            )
-        );
-        let side = side * (lit(1.0) / side.dot(side).sqrt());
+            );
+            (side, side.dot(side))
+        });
+
+        let gap_root = gap.max(L::lit(0.0)).sqrt();
+        let v = gap_root * inv_d;
+        let v_1 = lit(1.0) + v;
+        // One division for three. Its product is far from underflow for every sphere that is visible (below).
+        let side_length = side2.sqrt();
+        let r_v_1 = r * v_1;
+        let inv_product = lit(1.0) / (r_v_1 * side_length);
+        let side = side * (inv_product * r_v_1);
+        let inv_r_v_1 = inv_product * side_length;
+        let inv_r = inv_r_v_1 * v_1;
         let towards_centre = c * inv_d;
         let frame = [towards_centre, towards_centre.cross_of_perpendicular(side), side];
 
-        let inv_r = lit(1.0) / r;
         let (s, inv_s) = (r * inv_d, d * inv_r);
-        let gap_root = gap.max(L::lit(0.0)).sqrt();
-        let v = gap_root * inv_d;
         // (X d)^2 = d^2 - h^2 is the sum of two positives where the horizon cuts, and the vector product elsewhere.
         let x_d = L::select(is_cut, gap + q, sideways2).sqrt();
+        let elevation_sin = height.hi * inv_d;
         let elevation_cos = x_d * inv_d;
-        let z = h * inv_d;
-        let elevation_sin = L::select(sets, -z, z);
-        let rise = q * inv_d * inv_d / s.fma(elevation_cos, v * z);
+        let z = elevation_sin.abs();
+        let s_x = s * elevation_cos;
+        let inv_extent = lit(1.0) / v.fma(z, s_x);
+        let rise = q * (inv_d * inv_d) * inv_extent;
 
-        let [kappa, tau, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm, crescent_area] = branch!(
+        let (tau, area, Only([kappa, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm])) = branch!(
             is_cut,
             {
-                let kappa = h * inv_r;
                 let q_root = q.sqrt();
-                let inv_x_d = lit(1.0) / x_d;
+                // 1 / (X^2 (1 + t_x)), over d^2: one division for two.
+                let x_d_1 = x_d + gap_root;
+                let inv_both = lit(1.0) / (x_d * x_d_1);
+                let inv_x_d = inv_both * x_d_1;
                 let (t_x, t_y) = (gap_root * inv_x_d, q_root * inv_x_d);
+                let kappa = height.hi.abs() * inv_r;
                 let cut = kappa * t_x;
                 let (shape, difference) = shape_and_difference(t_x, cut);
                 let shape_cut = (cut - t_x).fma(difference, shape);
                 let norm = cut.fma(difference, shape);
-                let area = t_y * t_y * t_y * (r_minus_h * inv_r) * norm;
-                // One division for two.
-                let (t_1, cut_1) = (lit(1.0) + t_x, lit(1.0) + cut);
-                let inv_both = lit(1.0) / (t_1 * cut_1);
-                let (width, inv_cut_1) = (t_y * t_y * (inv_both * cut_1), inv_both * t_1);
-                [kappa, q_root * inv_r, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm, area]
+                let area = t_y * t_y * t_y * (r_minus_h.min(r_plus_h) * inv_r) * norm;
+                let rest = [kappa, t_x, t_y, q * inv_both, s_x * inv_extent, cut, shape, shape_cut, norm];
+                (q_root * inv_r, area, Only(rest))
             },
-            [L::lit(0.0); 11]
+            Blend::blank()
         );
-        let crescent = Crescent { kappa, tau, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm };
+        let crescent = Crescent { kappa, tau, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm, area };
 
         // The whole cap, projected, is an ellipse with half axes s and s |Z|.
-        let ellipse_area = s * s * z * lit(PI);
-        let larger = ellipse_area + crescent_area;
-        let above = L::select(sets, crescent_area, larger);
-        let below = L::select(sets, larger, crescent_area);
-        // 2 pi (1 - v).
-        let solid_angle = s * s / (lit(1.0) + v) * lit(2.0 * PI);
-        let inv_solid_angle = (lit(1.0) + v) * (inv_s * inv_s) * lit(0.5 / PI);
+        let s2 = s * s;
+        let ellipse_area = s2 * z * lit(PI);
+        let larger = ellipse_area + area;
+        let sets = elevation_sin.lt(L::lit(0.0));
+        let above = L::select(sets, area, larger);
+        let below = L::select(sets, larger, area);
+        // 2 pi (1 - v), with 1 - v = s^2 / (1 + v).
+        let solid_angle = s2 * (inv_r_v_1 * r) * lit(2.0 * PI);
+        let inv_solid_angle = v_1 * (inv_s * inv_s) * lit(0.5 / PI);
         // A sphere that looks so small that differences of its s^2 underflow (s < 3e-16 in f32) lights nothing; nor does a
         // part of it whose density would overflow (an area below about 1e-37).
-        let is_visible = outside & L::lit(L::MIN_POSITIVE / L::EPSILON).lt(s * s);
-        let on_surface = is_visible & on_surface;
+        let is_visible = outside & L::lit(L::MIN_POSITIVE / L::EPSILON).lt(s2);
         let smallest = L::lit(8.0 * L::MIN_POSITIVE);
-        let part = |area: L| L::select(smallest.lt(area) & on_surface, area, L::lit(0.0));
-        let or_zero = |x: L| L::select(on_surface, x, L::lit(0.0));
         Self {
             frame,
             normal,
-            distance: d * unscale,
+            distance: radius * inv_s,
             radius_sin: s,
             inv_radius_sin: inv_s,
             radius_cos: v,
-            elevation_sin: or_zero(elevation_sin),
-            elevation_cos: or_zero(elevation_cos),
+            elevation_sin,
+            elevation_cos,
             solid_angle: L::select(is_visible, solid_angle, L::lit(0.0)),
             inv_solid_angle: L::select(is_visible, inv_solid_angle, L::lit(0.0)),
             crescent,
-            rise: or_zero(rise),
-            projected_above: part(above),
-            projected_below: part(below),
+            rise,
+            projected_above: L::select(smallest.lt(above) & is_visible, above, L::lit(0.0)),
+            projected_below: L::select(smallest.lt(below) & is_visible, below, L::lit(0.0)),
         }
     }
 

@@ -6,11 +6,21 @@
 
 use crate::{lane::Lane, vec3::Vec3};
 
-/// An unevaluated sum `hi + lo` with `|lo|` at most about half a unit in the last place of `hi`.
+/// An unevaluated sum `hi + lo` of a number and a much smaller one.
 #[derive(Clone, Copy)]
 pub(crate) struct Twofold<L> {
     pub hi: L,
     pub lo: L,
+}
+
+impl<L: Lane> Twofold<L> {
+    /// The same sum with `|lo|` at most about half a unit in the last place of `hi` (Dekker's, which is exact unless `lo` was the
+    /// larger one, and then off by the rounding of `lo`).
+    #[inline(always)]
+    pub(crate) fn normalised(self) -> Self {
+        let hi = self.hi + self.lo;
+        Self { hi, lo: self.lo - (hi - self.hi) }
+    }
 }
 
 /// `a b` without error.
@@ -28,13 +38,12 @@ fn sum<L: Lane>(a: L, b: L) -> Twofold<L> {
     Twofold { hi, lo: (a - (hi - b_part)) + (b - b_part) }
 }
 
-/// `a . b` as if computed in twice the precision and then split in two.
+/// `a . b` as if computed in twice the precision and then split in two. Where the products cancel, `lo` may be as large as
+/// `hi`: see [`Twofold::normalised`].
 #[inline(always)]
 pub(crate) fn dot<L: Lane>(a: Vec3<L>, b: Vec3<L>) -> Twofold<L> {
     let (x, y, z) = (product(a.x, b.x), product(a.y, b.y), product(a.z, b.z));
     let xy = sum(x.hi, y.hi);
     let xyz = sum(xy.hi, z.hi);
-    let error = ((x.lo + y.lo) + z.lo) + (xy.lo + xyz.lo);
-    // Cancellation may leave the error as large as the sum: normalise.
-    sum(xyz.hi, error)
+    Twofold { hi: xyz.hi, lo: ((x.lo + y.lo) + z.lo) + (xy.lo + xyz.lo) }
 }

@@ -53,47 +53,65 @@ pub(crate) fn segment_area<L: Lane>(height: L) -> L {
     k * k.sqrt() * lit(THIN)
 }
 
+/// The number whose power of two thirds is k.
+#[inline(always)]
+pub(crate) fn cube_of_power<L: Lane>(area: L) -> L {
+    area * lit(1.0 / THIN)
+}
+
 /// Height in [0, 1] of the segment of this area in [0, pi/2].
 #[inline(always)]
 pub(crate) fn segment_height<L: Lane>(area: L) -> L {
-    let k = two_thirds_power(area * lit(1.0 / THIN));
+    let k = two_thirds_power(cube_of_power(area));
     k * height_per_power(k)
 }
 
-/// A point of the unit disk beyond (or this side of) a chord, in the terms that keep their digits near the edge.
+/// A point of the unit disk, in the terms that keep their digits near the edge.
 #[derive(Clone, Copy)]
 pub(crate) struct DiskPoint<L> {
     /// `1 - x` in [0, 2], with the relative precision of both ends.
     pub from_edge: L,
-    /// `1 - x^2`: squared half length of the chord through the point.
+    /// Half length of the chord through the point, `sqrt(1 - x^2)`, and its square.
+    pub chord: L,
     pub chord2: L,
     /// `y` relative to that half length, in (-1, 1), and `1` minus its square.
     pub across: L,
     pub across_complement: L,
 }
 
-/// A point of the unit disk, uniformly over the part `x <= x_chord` that remains when the segment of area `beyond` is cut
-/// off; `u0 = 0` is the chord (or the edge `x = 1`) and `u0 = 1` the edge `x = -1`. Continuous in both numbers.
+/// The areas on the near (`x = 1`) and the far side of the chord that `u0` of what remains of the unit disk lies before, when the
+/// segment of area `beyond` is cut off at its near end.
 #[inline(always)]
-pub(crate) fn square_to_disk<L: Lane>(u0: L, u1: L, beyond: L) -> DiskPoint<L> {
-    let pi = L::lit(PI);
-    let kept = pi - beyond;
-    let near = u0.fma(kept, beyond);
-    let far = (lit(1.0) - u0) * kept;
-    let is_near = near.lt(far);
-    let height = segment_height(L::select(is_near, near, far)).min(L::lit(1.0));
-    let other = lit(2.0) - height;
+pub(crate) fn areas_of_chord<L: Lane>(u0: L, beyond: L) -> [L; 2] {
+    let kept = L::lit(PI) - beyond;
+    [u0.fma(kept, beyond), (lit(1.0) - u0) * kept]
+}
+
+/// A point of the unit disk, uniformly; `u0 = 0` is the edge `x = 1` and `u0 = 1` the edge `x = -1`. Continuous in both numbers.
+#[inline(always)]
+pub(crate) fn square_to_disk<L: Lane>(u0: L, u1: L) -> DiskPoint<L> {
+    let [near, far] = areas_of_chord(u0, L::lit(0.0));
+    let height = segment_height(near.min(far)).min(L::lit(1.0));
+    let chord2 = height * (lit(2.0) - height);
     let (across, across_complement) = symmetric(u1);
     DiskPoint {
-        from_edge: L::select(is_near, height, other),
-        chord2: height * other,
+        from_edge: from_edge(height, near.lt(far)),
+        chord: chord2.sqrt(),
+        chord2,
         across,
         across_complement,
     }
 }
 
-/// The inverse of [`square_to_disk`] for a point given by `1 - x` and `y`. Where rounding has put it outside the disk, `y`
-/// is believed: near the edge a chord's length says more of the point than its distance.
+/// `1 - x` of the chord of a segment that is near or far.
+#[inline(always)]
+pub(crate) fn from_edge<L: Lane>(height: L, is_near: L::Mask) -> L {
+    L::select(is_near, height, lit(2.0) - height)
+}
+
+/// The inverse of [`square_to_disk`], also with a segment cut off ([`areas_of_chord`]), for a point given by `1 - x` and `y`. Where
+/// rounding has put it outside the disk, `y` is believed: near the edge a chord's length says more of the point than its
+/// distance.
 #[inline(always)]
 pub(crate) fn disk_to_square<L: Lane>(from_edge: L, y: L, beyond: L) -> [L; 2] {
     let y2 = (y * y).min(L::lit(1.0));
@@ -103,8 +121,8 @@ pub(crate) fn disk_to_square<L: Lane>(from_edge: L, y: L, beyond: L) -> [L; 2] {
     let across = y / chord.max(L::lit(L::MIN_POSITIVE));
     let is_near = from_edge.lt(L::lit(1.0));
     let area = segment_area(L::select(is_near, from_edge, lit(2.0) - from_edge));
-    let kept = L::lit(PI) - beyond;
-    let u0 = L::select(is_near, (area - beyond) / kept, lit(1.0) - area / kept);
+    let share = L::select(is_near, area - beyond, area) / (L::lit(PI) - beyond);
+    let u0 = L::select(is_near, share, lit(1.0) - share);
     [u0, across.fma(L::lit(0.5), L::lit(0.5))]
 }
 
@@ -181,7 +199,9 @@ mod tests {
                 if !calls.is_multiple_of(step) {
                     return last;
                 }
-                last = square_to_disk(u, 0.5, beyond).from_edge;
+                let [near, far] = areas_of_chord(u, beyond);
+                let height = segment_height(near.min(far)).min(1.0);
+                last = from_edge(height, near < far);
                 if calls.is_multiple_of(64) {
                     let [inverse, _] = disk_to_square(f64::from(last), 0.0, f64::from(beyond));
                     worst = worst.max((inverse - f64::from(u)).abs());

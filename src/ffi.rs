@@ -5,7 +5,7 @@
 #![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
 
 use crate::offset::Offset;
-use crate::prepare::{is_offset, is_unit, Refusal};
+use crate::prepare::{is_offset, is_unit, refusal, Refusal};
 use crate::sampling::{Density, Hemispheres, Sample, Sampler, Strategy, Technique};
 use crate::vec3::Vec3;
 use core::ffi::CStr;
@@ -187,11 +187,12 @@ kernel! {
     fn prepare(
         strategy: Strategy<f32>, normal: [f32; 3], centre: [f32; 3], radius: f32,
         out: &mut MaybeUninit<Prepared>
-    ) -> Result<(), Refusal> {
-        let sampler = Sampler::prepare(strategy, normal, centre, radius)?;
+    ) -> bool {
+        let (sampler, is_possible) =
+            Sampler::prepare_where_possible(strategy, normal.into(), centre.into(), radius);
         // Stored here, so that it is not copied.
         out.write(Prepared { seal: SEAL, status: SPHERECAP_STATUS_OK as u32, sampler });
-        Ok(())
+        is_possible
     }
 }
 kernel! {
@@ -417,7 +418,12 @@ pub unsafe extern "C" fn spherecap_prepare(
         let strategy = Strategy { technique, hemispheres, defensive };
         // SAFETY: not NULL, so writable by the header's contract; a `Prepared` fits (asserted above).
         let out = unsafe { &mut *cap.cast::<MaybeUninit<Prepared>>() };
-        Ok(prepare(strategy, normal, centre, radius, out)?)
+        if prepare(strategy, normal, centre, radius, out) {
+            return Ok(());
+        }
+        // SAFETY: just written.
+        let cap = unsafe { out.assume_init_ref() }.sampler.cap();
+        Err(refusal(defensive, normal.into(), centre.into(), radius, cap).into())
     })();
     let Err(status) = result else { return SPHERECAP_STATUS_OK as u32 };
     let status = status as u32;

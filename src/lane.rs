@@ -53,6 +53,22 @@ pub trait Blend<M>: Copy {
     fn blend(mask: M, yes: Self, no: Self) -> Self;
 }
 
+/// What only the lanes that took the first side of a [`branch!`] will read: in the others it may hold anything, and no
+/// select is spent on them.
+#[derive(Clone, Copy)]
+pub(crate) struct Only<T>(pub T);
+
+impl<M, T: Blend<M>> Blend<M> for Only<T> {
+    #[inline(always)]
+    fn blank() -> Self {
+        Self(T::blank())
+    }
+    #[inline(always)]
+    fn blend(_: M, yes: Self, _: Self) -> Self {
+        yes
+    }
+}
+
 /// An arithmetic type that the kernels run on; see the module's text for its rules.
 pub trait Lane:
     Copy
@@ -103,7 +119,8 @@ pub trait Lane:
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
     /// The bit pattern, read as an integer and converted to the nearest number of this type.
     fn bits(self) -> Self;
-    /// The inverse of [`Lane::bits`]: a number in [0, 2^31), truncated, becomes a bit pattern. Others give any number.
+    /// The inverse of [`Lane::bits`]: a number in [0, 2^31) (f64: 2^63), truncated, becomes a bit pattern. Every other number becomes
+    /// any.
     fn float_of_bits(self) -> Self;
 }
 
@@ -114,9 +131,18 @@ pub trait Lane:
 macro_rules! branch {
     ($mask:expr, $yes:expr, $no:expr) => {{
         let mask = $mask;
-        let yes = if $crate::lane::Mask::any(mask) { $yes } else { $crate::lane::Blend::blank() };
-        let no = if $crate::lane::Mask::all(mask) { $crate::lane::Blend::blank() } else { $no };
-        $crate::lane::Blend::blend(mask, yes, no)
+        let (any, all) = ($crate::lane::Mask::any(mask), $crate::lane::Mask::all(mask));
+        let yes = if any { $yes } else { $crate::lane::Blend::blank() };
+        if all {
+            yes
+        } else {
+            let no = $no;
+            if any {
+                $crate::lane::Blend::blend(mask, yes, no)
+            } else {
+                no
+            }
+        }
     }};
 }
 pub(crate) use branch;

@@ -73,7 +73,7 @@ impl<L: Lane> Cap<L> {
     #[inline(always)]
     pub(crate) fn hit(&self, offset: Offset<L>) -> (Vec3<L>, L, Vec3<L>) {
         let (s, v) = (self.radius_sin, self.radius_cos);
-        let sin2 = offset.sin2().min(s * s);
+        let sin2 = offset.sin2();
         let q2 = s.fma(s, -sin2).max(L::lit(0.0));
         // a^2 = 1 - sin^2 as q^2 + v^2: next to the sphere the vectors keep their unit length.
         let (q, a) = (q2.sqrt(), v.fma(v, q2).sqrt());

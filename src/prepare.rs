@@ -72,8 +72,7 @@ pub(crate) fn is_unit<L: Lane>(v: Vec3<L>) -> L::Mask {
 /// Whether a normal is exactly zero, as it is on no surface.
 #[inline(always)]
 fn is_zero<L: Lane>(v: Vec3<L>) -> L::Mask {
-    let zero = L::lit(0.0);
-    v.x.abs().le(zero) & v.y.abs().le(zero) & v.z.abs().le(zero)
+    (v.x.abs() + v.y.abs() + v.z.abs()).le(L::lit(0.0))
 }
 
 /// A normal that [`Cap::new`] may be given, from one that is zero or of about unit length.
@@ -84,10 +83,8 @@ fn is_zero<L: Lane>(v: Vec3<L>) -> L::Mask {
 fn unit_or_zero<L: Lane>(normal: Vec3<L>) -> Vec3<L> {
     let excess = normal.dot(normal) - lit(1.0);
     let is_rounded = excess.abs().le(L::lit(4.0 * f64::from(f32::EPSILON)));
-    // (1 + excess)^(-1/2), whose series leaves 5e-12 at the largest excess, 0.002.
-    branch!(is_zero(normal) | is_rounded, normal, {
-        normal * polynomial(excess, &[1.0, -1.0 / 2.0, 3.0 / 8.0, -5.0 / 16.0])
-    })
+    // (1 + excess)^(-1/2), whose series leaves 5e-12 at the largest excess, 0.002. Zeros stay zeros.
+    branch!(is_rounded, normal, { normal * polynomial(excess, &[1.0, -1.0 / 2.0, 3.0 / 8.0, -5.0 / 16.0]) })
 }
 
 /// Whether the defensive fraction is one.
@@ -118,32 +115,41 @@ impl<F: Scalar> Sampler<F> {
         radius: F,
     ) -> Result<Self, Refusal> {
         let (normal, centre) = (normal.into(), centre.into());
-        let (zero, largest) = (F::lit(0.0), F::lit(F::MAX));
-        if !is_fraction(strategy.defensive) {
-            return Err(Refusal::Defensive);
+        let (sampler, is_possible) = Self::prepare_where_possible(strategy, normal, centre, radius);
+        if is_possible {
+            Ok(sampler)
+        } else {
+            Err(refusal(strategy.defensive, normal, centre, radius, sampler.cap()))
         }
-        if !(is_zero(normal) || is_unit(normal)) {
-            return Err(Refusal::Normal);
-        }
-        if !(zero < radius && radius <= largest) {
-            return Err(Refusal::Radius);
-        }
-        let (x, y, z) = (centre.x.abs(), centre.y.abs(), centre.z.abs());
-        if !(x <= largest && y <= largest && z <= largest && zero < x.max(y).max(z)) {
-            return Err(Refusal::Centre);
-        }
-        let cap = Cap::new(unit_or_zero(normal), centre, radius);
-        if cap.distance() > largest {
-            return Err(Refusal::Centre);
-        }
-        if cap.is_inside() {
-            return Err(Refusal::Inside);
-        }
-        let sampler = Self::new(cap, strategy);
-        if sampler.is_empty() {
-            return Err(Refusal::Invisible);
-        }
-        Ok(sampler)
+    }
+}
+
+/// Why a preparation was not possible; `cap` is what [`Cap::new`] made of the input.
+#[inline(always)]
+pub(crate) fn refusal<F: Scalar>(
+    defensive: F,
+    normal: Vec3<F>,
+    centre: Vec3<F>,
+    radius: F,
+    cap: &Cap<F>,
+) -> Refusal {
+    let (zero, largest) = (F::lit(0.0), F::lit(F::MAX));
+    // A sphere too small to be visible may be too small to tell the distance by.
+    let longest = centre.x.abs().max(centre.y.abs()).max(centre.z.abs());
+    let relative = Vec3::new(centre.x / longest, centre.y / longest, centre.z / longest);
+    let distance = longest * relative.dot(relative).sqrt();
+    if !is_fraction(defensive) {
+        Refusal::Defensive
+    } else if !(is_zero(normal) || is_unit(normal)) {
+        Refusal::Normal
+    } else if !(zero < radius && radius <= largest) {
+        Refusal::Radius
+    } else if !(zero < distance && distance <= largest) {
+        Refusal::Centre
+    } else if cap.is_inside() {
+        Refusal::Inside
+    } else {
+        Refusal::Invisible
     }
 }
 

@@ -7,10 +7,11 @@
 //! without it, and with `r_z - c_z = s X + v |Z|` and `s^2 tau^2 = rise (s X + v |Z|) = t_y^2 X^2`, it is
 //! `s_y^2 = (1 + w_z / (s X + v |Z|)) / (1 + w_z / rise)`, which is 0/0 nowhere.
 
-use super::crescent;
+use super::crescent::{self, Slice};
+use super::interior;
 use crate::cap::Cap;
-use crate::disk::{height_per_power, power_per_height, symmetric, two_thirds_power};
-use crate::lane::{lit, Lane};
+use crate::disk::power_per_height;
+use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 
 /// `s_y^2` at the height `cosine` above the horizon, in [1/2, 1].
@@ -26,17 +27,19 @@ fn limb<L: Lane>(cap: &Cap<L>, cosine: L) -> L {
     cap.elevation().fma(cosine, cap.radius_cos) / cap.elevation_cos
 }
 
-/// A direction in the crescent, or (`is_segment`) in the part of the centre's side beyond the chord, which needs no warp.
+/// The slice of the cut disk for two random numbers: as in `crescent.rs` for kappa = 0. `v2 = 4 u1 (1 - u1)`; with `is_segment`,
+/// `u0` below `share` is what chose it.
 #[inline(always)]
-pub(super) fn sample<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, u0: L, u1: L) -> Offset<L> {
-    let c = &cap.crescent;
-    // The slices of `crescent.rs` for kappa = 0.
-    let (u, v2) = symmetric(u1);
-    let k = two_thirds_power(u0) * c.width * power_per_height(c.width);
-    let h = k * height_per_power(k);
-    let radius = (h * (lit(2.0) - h)).sqrt();
-    let (y, z) = (radius * u, radius * v2.sqrt());
+pub(super) fn slice<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, share: L, u0: L, v2: L) -> Slice<L> {
+    let u0 = branch!(is_segment, interior(u0 / share), u0);
+    Slice { u0, m: v2.sqrt(), g2: L::lit(1.0), end: cap.crescent.width }
+}
 
+/// The direction for a point of the cut disk, `(1 - h, y, z)` on the hemisphere above it: in the crescent, or (`is_segment`) in the
+/// part of the centre's side beyond the chord, which needs no warp.
+#[inline(always)]
+pub(super) fn place<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, h: L, y: L, z: L) -> Offset<L> {
+    let c = &cap.crescent;
     let warped_z = z * (cap.rise / c.t_y);
     let scale2 = width_scale2(cap, warped_z);
     let warped_y = y * scale2.sqrt();
@@ -94,12 +97,11 @@ pub(super) fn relative_density<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> L {
     let c = &cap.crescent;
     let Warp { d_x, w_x, width, .. } = unwarp(cap, offset);
     let stretch = c.t_y / cap.rise;
-    let crescent = cap.projected_above.min(cap.projected_below);
-    let areas = crescent / (c.t_y_cubed() * c.shape);
+    let areas = c.area / (c.t_y_cubed() * c.shape);
     stretch * stretch * areas * w_x / (d_x * width)
 }
 
-/// The random numbers of [`sample`].
+/// The random numbers of [`slice`] and [`place`]: with `is_segment`, `u0` over the share.
 #[inline(always)]
 pub(super) fn invert<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, offset: Offset<L>) -> [L; 2] {
     let Warp { d_x, d_y, d_z, .. } = unwarp(cap, offset);

@@ -13,10 +13,11 @@
 //! `(c, S)` is proportional to `(u, V B(V))` with a mild, smooth B, known exactly at both ends and fitted between them
 //! (`fits.rs`), with a density within 7e-6 of uniform over all kappa and t_x.
 
-use crate::cap::Cap;
-use crate::disk::{height_per_power, power_per_height, shape, symmetric, two_thirds_power};
+use super::interior;
+use crate::cap::{Cap, Crescent};
+use crate::disk::{power_per_height, shape};
 use crate::fits::CRESCENT;
-use crate::lane::{branch, lit, Lane};
+use crate::lane::{branch, lit, Blend, Lane, Only};
 use crate::math::polynomial_of_two;
 use crate::offset::Offset;
 
@@ -27,27 +28,17 @@ pub(super) struct Marginal<L> {
     coefficients: [L; 7],
 }
 
-/// A slice through `p`: the unnormalised `(cos, sin)` of its angle in the stereographic picture, and where it ends.
+/// A slice through `p`, and how far along it to go.
 #[derive(Clone, Copy)]
-struct Slice<L> {
-    /// Sideways component, and the one across it scaled to the crescent's height.
-    u: L,
-    m: L,
-    /// `u^2 + m^2`.
-    g2: L,
-    /// Height of the end, over `g2`.
-    end: L,
-}
-
-impl<L: Lane> Slice<L> {
-    /// `c`, `S` may have any common factor: it cancels.
-    #[inline(always)]
-    fn new(c: L, s: L, kappa: L, tau: L, cut: L, width: L) -> Self {
-        let n = c.fma(c, s * s).sqrt();
-        let m = tau * s;
-        let end = width / (kappa.fma(s, n) * cut.fma(s, n));
-        Self { u: c, m, g2: c.fma(c, m * m), end }
-    }
+pub(super) struct Slice<L> {
+    /// The share of its area.
+    pub u0: L,
+    /// Component of its unnormalised direction towards the zenith; the one sideways is `2 u1 - 1`.
+    pub m: L,
+    /// The sum of the squares of both.
+    pub g2: L,
+    /// Height of its end, over `g2`.
+    pub end: L,
 }
 
 /// What distinguishes a crescent from the plain segment of a disk: kappa, tau and e.
@@ -95,9 +86,8 @@ impl<L: Lane> Marginal<L> {
     /// For samplers that use it `is_used`: the others are spared the work.
     #[inline(always)]
     pub(super) fn new(cap: &Cap<L>, is_used: L::Mask) -> Self {
-        let zero = L::lit(0.0);
-        let coefficients = branch!(
-            is_used & zero.lt(cap.crescent.tau),
+        let Only(coefficients) = branch!(
+            is_used & L::lit(0.0).lt(cap.crescent.tau),
             {
                 let c = &cap.crescent;
                 let (one, kappa_1) = (L::lit(1.0), lit(1.0) + c.kappa);
@@ -119,7 +109,7 @@ impl<L: Lane> Marginal<L> {
                     rho * polynomial_of_two(rho, y, CRESCENT[3]),
                     rho * polynomial_of_two(rho, y, CRESCENT[4]),
                 ];
-                [
+                Only([
                     b0,
                     (b1 - b0) + beta[0],
                     beta[1] - beta[0],
@@ -127,9 +117,9 @@ impl<L: Lane> Marginal<L> {
                     beta[3] - beta[2],
                     beta[4] - beta[3],
                     -beta[4],
-                ]
+                ])
             },
-            [zero; 7]
+            Blend::blank()
         );
         Self { coefficients }
     }
@@ -154,26 +144,27 @@ impl<L: Lane> Marginal<L> {
         (value, slope)
     }
 
-    /// A direction in the crescent away from the centre, or (`is_segment`) in the part of the centre's side beyond the
-    /// chord, as if that side were above the horizon. `u0 = 0` is `p` and `u0 = 1` the boundary (or the chord); `u1 = 0` and
-    /// `u1 = 1` are the horizon on either side.
+    /// The slice for two random numbers, in the crescent away from the centre, or (`is_segment`) in the part of the centre's side
+    /// beyond the chord, as if that side were above the horizon; that part is the crescent of a cap with kappa = 0, and is
+    /// chosen for `u0` below `share`. `u0 = 0` is `p` and `u0 = 1` the boundary (or the chord); `u1 = 0` and `u1 = 1` are the
+    /// horizon on either side. Of `u1` it is told `u = 2 u1 - 1` and `v2 = 1 - u^2`.
     #[inline(always)]
-    pub(super) fn sample(&self, cap: &Cap<L>, is_segment: L::Mask, u0: L, u1: L) -> Offset<L> {
-        let [kappa, tau, cut] = proportions(cap, is_segment);
-        let (u, v2) = symmetric(u1);
+    pub(super) fn slice(&self, cap: &Cap<L>, is_segment: L::Mask, share: L, u0: L, u: L, v2: L) -> Slice<L> {
+        let Crescent { kappa, tau, cut, width, .. } = cap.crescent;
         let v = v2.sqrt();
-        let b = self.value(v, v2);
-        let slice =
-            Slice::new(u, v * L::select(is_segment, L::lit(1.0), b), kappa, tau, cut, cap.crescent.width);
-        // Heights over g2, so that thin slices keep their digits.
-        let k = two_thirds_power(u0) * slice.end * power_per_height(slice.g2 * slice.end);
-        let h1 = k * height_per_power(k * slice.g2);
-        let h = slice.g2 * h1;
-        let radius = (h1 * (lit(2.0) - h)).sqrt();
-        offset(cap, is_segment, h, radius * slice.u, radius * slice.m)
+        // One division for both.
+        let [m, g2, dividend, divisor] = branch!(is_segment, [v, L::lit(1.0), u0, share], {
+            let s = v * self.value(v, v2);
+            let n = u.fma(u, s * s).sqrt();
+            let m = tau * s;
+            [m, u.fma(u, m * m), width, kappa.fma(s, n) * cut.fma(s, n)]
+        });
+        let quotient = dividend / divisor;
+        let (u0, end) = branch!(is_segment, (interior(quotient), width), (u0, quotient));
+        Slice { u0, m, g2, end }
     }
 
-    /// The random numbers of [`Marginal::sample`].
+    /// The random numbers that give an offset: with `is_segment`, `u0` over the share.
     #[inline(always)]
     pub(super) fn invert(&self, cap: &Cap<L>, is_segment: L::Mask, offset: Offset<L>) -> [L; 2] {
         let [kappa, tau, cut] = proportions(cap, is_segment);
@@ -197,9 +188,10 @@ impl<L: Lane> Marginal<L> {
             (c, v) = normalise((-delta).fma(v, c), delta.fma(c, v));
         }
         let (b, _) = plain(self.value_and_slope(v));
-        let slice = Slice::new(c, v * b, kappa, tau, cut, cap.crescent.width);
+        let s = v * b;
+        let (n, m) = (c.fma(c, s * s).sqrt(), tau * s);
         let h = y.fma(y, z * z) / (lit(1.0) + abscissa(cap, is_segment, offset));
-        let h_end = slice.g2 * slice.end;
+        let h_end = c.fma(c, m * m) * (cap.crescent.width / (kappa.fma(s, n) * cut.fma(s, n)));
         let ratio = h * power_per_height(h) / (h_end * power_per_height(h_end));
         let smaller = v * v / ((lit(1.0) + c) * lit(2.0));
         [ratio * ratio.sqrt(), L::select(y.lt(L::lit(0.0)), smaller, lit(1.0) - smaller)]
@@ -213,26 +205,28 @@ const NEWTON_STEPS: usize = 3;
 mod tests {
     use super::*;
     use crate::disk::exhaustive;
+    use crate::sampling::{Sampler, Strategy};
     use crate::vec3::Vec3;
 
-    fn cap<L: Lane>(s: f64, kappa: f64) -> Cap<L> {
+    fn sampler<L: Lane>(s: f64, kappa: f64) -> Sampler<L> {
         let (z, lit) = (-kappa * s, L::lit);
         let x = ((1.0 - z) * (1.0 + z)).sqrt();
-        Cap::new(Vec3::new(lit(0.0), lit(0.0), lit(1.0)), Vec3::new(lit(x), lit(0.0), lit(z)), lit(s))
+        let cap =
+            Cap::new(Vec3::new(lit(0.0), lit(0.0), lit(1.0)), Vec3::new(lit(x), lit(0.0), lit(z)), lit(s));
+        Sampler::new(cap, Strategy::default())
     }
 
     /// Along a slice all 2^24 numbers give heights over the horizon that are finite, monotone and not above the cap's top; and
     /// the f64 inverse gives back every 1024th, to what rounding of the offset makes of it: 5e-6 (`tests/properties.rs`).
     fn check(s: f64, kappa: f64) {
-        let (single, double) = (cap::<f32>(s, kappa), cap::<f64>(s, kappa));
-        let (marginal, exact) = (Marginal::new(&single, true), Marginal::new(&double, true));
+        let (single, double) = (sampler::<f32>(s, kappa), sampler::<f64>(s, kappa));
         let mut worst = 0.0_f64;
         let mut calls = 0_u32;
-        exhaustive::check(single.rise * (1.0 + 4.0 * f32::EPSILON), |u| {
-            let Offset { zenith, side, cosine } = marginal.sample(&single, false, u, 0.4);
+        exhaustive::check(single.cap().rise * (1.0 + 4.0 * f32::EPSILON), |u| {
+            let Offset { zenith, side, cosine } = single.sample(u, 0.4).offset;
             if calls.is_multiple_of(1024) && u > 0.0 {
                 let offset = Offset { zenith: zenith.into(), side: side.into(), cosine: cosine.into() };
-                let [u0, u1] = exact.invert(&double, false, offset);
+                let [u0, u1] = double.invert(offset);
                 worst = worst.max((u0 - f64::from(u)).abs()).max((u1 - f64::from(0.4_f32)).abs());
             }
             calls += 1;

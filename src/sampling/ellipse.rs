@@ -8,6 +8,7 @@
 //! `s X (e - xi) = s X (1 - xi) - rise`. The offset towards the zenith, `X z - Z x`, is `X (z - Z v) - s Z^2 xi` with
 //! `z - Z v = s (X xi (s X xi - 2 Z v) + s (1 - xi^2 - eta^2)) / (z + Z v)`.
 
+use super::interior;
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, DiskPoint};
 use crate::lane::{branch, lit, Lane};
@@ -34,7 +35,7 @@ pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
     let rest = point.chord2 * point.across_complement;
     let bulge = s * s * rest;
     let cosine = rim.fma(rim, bulge).sqrt();
-    let side = s * point.chord2.sqrt() * point.across;
+    let side = s * point.chord * point.across;
     let zv = z_centre * cap.radius_cos;
     let climb = (x * xi).fma(sx.fma(xi, lit(-2.0) * zv), s * rest) / (cosine + zv);
     let zenith = s * x.fma(climb, -(z_centre * z_centre * xi));
@@ -70,7 +71,7 @@ impl<L: Lane> Ellipse<L> {
     /// What is left of the random number of a side for the ellipse.
     #[inline(always)]
     pub(super) fn remap(&self, u0: L) -> L {
-        (u0 - self.crescent_share) * self.inv_rest
+        interior((u0 - self.crescent_share) * self.inv_rest)
     }
 
     /// Whether a direction on the centre's side is on the ellipse's side of the chord: always, without a cut.

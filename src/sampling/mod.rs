@@ -16,11 +16,15 @@ mod ellipse;
 mod solid_angle;
 
 use crate::cap::Cap;
-use crate::disk::{shape_and_difference, square_to_disk};
-use crate::lane::{branch, lit, Lane};
+use crate::disk::{
+    areas_of_chord, cube_of_power, from_edge, height_per_power, power_per_height, shape_and_difference,
+    square_to_disk, symmetric, two_thirds_power, DiskPoint,
+};
+use crate::lane::{branch, lit, Blend, Lane, Only};
 use crate::offset::Offset;
 use crate::vec3::Vec3;
 use core::f64::consts::PI;
+use crescent::Slice;
 
 pub use bounded::density_bound_for_radius;
 
@@ -195,7 +199,7 @@ impl<L: Lane> Sampler<L> {
     pub fn sample(&self, u0: L, u1: L) -> Sample<L> {
         let (u0, u1) = (interior(u0), interior(u1));
         let offset = match self.technique {
-            Technique::SolidAngle => solid_angle::place(&self.cap, square_to_disk(u0, u1, L::lit(0.0))),
+            Technique::SolidAngle => solid_angle::place(&self.cap, square_to_disk(u0, u1)),
             _ => self.sample_mixture(u0, u1),
         };
         let density = self.pdf_on_sphere(offset);
@@ -236,26 +240,47 @@ impl<L: Lane> Sampler<L> {
     #[inline(always)]
     fn sample_part(&self, is_plain: L::Mask, centre_side: L::Mask, u0: L, u1: L) -> Offset<L> {
         let cap = &self.cap;
+        let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let share = self.ellipse.crescent_share;
-        // Both are maps of a disk: one serves them.
         let is_disk = is_plain | (centre_side & share.le(u0));
+        let (across, across_complement) = symmetric(u1);
+        let (disk_u0, beyond) = branch!(is_plain, (u0, zero), (self.ellipse.remap(u0), self.ellipse.beyond));
+        let [near, far] = areas_of_chord(disk_u0, beyond);
+
+        // The disk and the slices of the crescent are measured by the same segments: what they share is written once, so
+        // that packets and graphs, which follow both sides, pay for it once.
+        let (cube, Only([m, g2, end])) = branch!(
+            !is_disk,
+            {
+                let Slice { u0, m, g2, end } = match self.technique {
+                    Technique::Projected => {
+                        self.marginal.slice(cap, centre_side, share, u0, across, across_complement)
+                    }
+                    _ => bounded::slice(cap, centre_side, share, u0, across_complement),
+                };
+                (u0, Only([m, g2, end]))
+            },
+            (cube_of_power(near.min(far)), Blend::blank())
+        );
+        // Heights over g2, so that thin slices keep their digits.
+        let power = two_thirds_power(cube);
+        let k = branch!(is_disk, power, power * end * power_per_height(g2 * end));
+        let h1 = k * height_per_power(branch!(is_disk, k, k * g2));
+        let (h1, h) = branch!(is_disk, (h1.min(one), h1.min(one)), (h1, g2 * h1));
+        let chord2 = h1 * (lit(2.0) - h);
+        let chord = chord2.sqrt();
         branch!(
             is_disk,
             {
-                let (u0, beyond) = branch!(
-                    is_plain,
-                    (u0, L::lit(0.0)),
-                    (interior(self.ellipse.remap(u0)), self.ellipse.beyond)
-                );
-                let point = square_to_disk(u0, u1, beyond);
+                let from_edge = from_edge(h, near.lt(far));
+                let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
                 branch!(is_plain, solid_angle::place(cap, point), ellipse::place(cap, point))
             },
             {
-                // In case 2 the part beyond the chord, which starts the ellipse, is the crescent of a cap with kappa = 0.
-                let u0 = L::select(centre_side, interior(u0 / share), u0);
+                let (side, cosine) = (chord * across, chord * m);
                 match self.technique {
-                    Technique::Projected => self.marginal.sample(cap, centre_side, u0, u1),
-                    _ => bounded::sample(cap, centre_side, u0, u1),
+                    Technique::Projected => crescent::offset(cap, centre_side, h, side, cosine),
+                    _ => bounded::place(cap, centre_side, h, side, cosine),
                 }
             }
         )
@@ -278,44 +303,47 @@ impl<L: Lane> Sampler<L> {
         let zero = L::lit(0.0);
         let cap = &self.cap;
         let cosine = offset.cosine.abs();
+        let weight =
+            if self.technique == Technique::SolidAngle { zero } else { self.projected_density(offset) };
         // What most samplers do without.
         let is_mixed = match self.technique {
             Technique::SolidAngle => zero.le(zero),
             _ => zero.lt(self.defensive),
         };
-        let (plain, plain_projected) = branch!(
+        let (solid_angle, projected_solid_angle) = branch!(
             is_mixed,
             {
                 let plain = self.defensive * cap.inv_solid_angle;
-                (plain, (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX)))
+                let plain_projected = (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX));
+                let rest = lit(1.0) - self.defensive;
+                (weight.fma(rest * cosine, plain), weight.fma(rest, plain_projected).min(L::lit(L::MAX)))
             },
-            (zero, zero)
+            (weight * cosine, weight)
         );
-        if self.technique == Technique::SolidAngle {
-            return Density { solid_angle: plain, projected_solid_angle: plain_projected };
-        }
-        let above = zero.lt(offset.cosine);
-        let below = offset.cosine.lt(zero);
-        let share_below = lit(1.0) - self.share_above;
-        let weight = L::select(
-            above,
-            self.inv_above * self.share_above,
-            L::select(below, self.inv_below * share_below, zero),
-        );
-        let projected = match self.technique {
-            Technique::ProjectedBounded => {
-                let centre_above = zero.lt(cap.elevation_sin);
-                let centre_side = (above & centre_above) | (below & !centre_above);
-                let is_warped = zero.lt(weight) & zero.lt(cap.crescent.tau) & !centre_side;
-                weight * branch!(is_warped, bounded::relative_density(cap, offset), L::lit(1.0))
+        Density { solid_angle, projected_solid_angle }
+    }
+
+    /// Density of the projected technique alone, with respect to projected solid angle.
+    #[inline(always)]
+    fn projected_density(&self, offset: Offset<L>) -> L {
+        let zero = L::lit(0.0);
+        let (above, below) = (zero.lt(offset.cosine), offset.cosine.lt(zero));
+        let weight = match self.hemispheres {
+            Hemispheres::Front => L::select(above, self.inv_above, zero),
+            Hemispheres::Both => {
+                let share_below = lit(1.0) - self.share_above;
+                let below = L::select(below, self.inv_below * share_below, zero);
+                L::select(above, self.inv_above * self.share_above, below)
             }
-            _ => weight,
         };
-        let rest = lit(1.0) - self.defensive;
-        Density {
-            solid_angle: projected.fma(rest * cosine, plain),
-            projected_solid_angle: projected.fma(rest, plain_projected).min(L::lit(L::MAX)),
+        if self.technique == Technique::Projected {
+            return weight;
         }
+        let cap = &self.cap;
+        let centre_above = zero.lt(cap.elevation_sin);
+        let centre_side = (above & centre_above) | (below & !centre_above);
+        let is_warped = zero.lt(weight) & zero.lt(cap.crescent.tau) & !centre_side;
+        weight * branch!(is_warped, bounded::relative_density(cap, offset), L::lit(1.0))
     }
 
     /// The largest density within the cap over the smallest, with respect to projected solid angle and above the horizon:

@@ -24,7 +24,7 @@ pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
     let depth = height * (lit(1.0) - rest);
     let scale = (height * (lit(2.0) - depth)).sqrt();
     let zenith = (point.from_edge - lit(1.0)) * scale;
-    let side = point.chord2.sqrt() * point.across * scale;
+    let side = point.chord * point.across * scale;
     Offset { zenith, side, cosine: cap.cosine(lit(1.0) - depth, zenith) }
 }
 
