@@ -58,8 +58,7 @@ pub struct Cap<L> {
     /// What the horizon cuts off.
     pub(crate) crescent: Crescent<L>,
     /// `(s^2 - Z^2) / (s X + v |Z|)`: how far the crescent rises above (or hangs below) the horizon, `c_z + r_z` in case 3.
-    /// Negative without a cut: then its magnitude is how far the cap's nearer end is from the horizon. Infinite without a
-    /// surface.
+    /// Negative without a cut: then its magnitude is how far the cap's nearer end is from the horizon.
     pub(crate) rise: L,
     /// Projected solid angles of the parts above and below the horizon, in steradians.
     pub(crate) projected_above: L,
@@ -125,8 +124,7 @@ impl<L: Lane> Cap<L> {
         let (r_minus_h, r_plus_h) = ((r - height.hi) - height.lo, (r + height.hi) + height.lo);
         // (s^2 - Z^2) d^2, positive where the horizon cuts the sphere.
         let q = r_minus_h * r_plus_h;
-        let on_surface = L::lit(0.0).lt(normal.dot(normal));
-        let is_cut = L::lit(0.0).lt(q) & outside & on_surface;
+        let is_cut = L::lit(0.0).lt(q) & outside & is_on_surface(normal);
 
         // |n x C| is X d. Where it (nearly) vanishes, at the zenith, any frame does: below 2^-51 in f32, X matters to
         // nothing, and above, its square is far from underflow and the vector as precise as the input.
@@ -144,34 +142,37 @@ impl<L: Lane> Cap<L> {
 
         let gap_root = gap.max(L::lit(0.0)).sqrt();
         let v = gap_root * inv_d;
+        // One division for two.
         let v_1 = lit(1.0) + v;
-        // One division for three. Its product is far from underflow for every sphere that is visible (below).
-        let side_length = side2.sqrt();
-        let r_v_1 = r * v_1;
-        let inv_product = lit(1.0) / (r_v_1 * side_length);
-        let side = side * (inv_product * r_v_1);
-        let inv_r_v_1 = inv_product * side_length;
+        let inv_r_v_1 = lit(1.0) / (r * v_1);
         let inv_r = inv_r_v_1 * v_1;
-        let towards_centre = c * inv_d;
-        let frame = [towards_centre, towards_centre.cross_of_perpendicular(side), side];
 
         let (s, inv_s) = (r * inv_d, d * inv_r);
         // (X d)^2 = d^2 - h^2 is the sum of two positives where the horizon cuts, and the vector product elsewhere.
-        let x_d = L::select(is_cut, gap + q, sideways2).sqrt();
+        let Only(cut_x_d) = branch!(is_cut, Only((gap + q).sqrt()), Blend::blank());
+        let side_length = side2.sqrt();
+        let x_d = branch!(is_cut, cut_x_d, L::select(has_side, side_length, L::lit(0.0)));
         let elevation_sin = height.hi * inv_d;
         let elevation_cos = x_d * inv_d;
         let z = elevation_sin.abs();
+        // Once more, kept far from underflow by a bound that matters to no visible sphere (below).
         let s_x = s * elevation_cos;
-        let inv_extent = lit(1.0) / v.fma(z, s_x);
+        let extent = v.fma(z, s_x).max(L::lit(L::MIN_POSITIVE / L::EPSILON));
+        let inv_product = lit(1.0) / (extent * side_length);
+        let inv_extent = inv_product * side_length;
         let rise = q * (inv_d * inv_d) * inv_extent;
+
+        let side = side * (inv_product * extent);
+        let towards_centre = c * inv_d;
+        let frame = [towards_centre, towards_centre.cross_of_perpendicular(side), side];
 
         let (tau, area, Only([kappa, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm])) = branch!(
             is_cut,
             {
                 let q_root = q.sqrt();
                 // 1 / (X^2 (1 + t_x)), over d^2: one division for two.
-                let x_d_1 = x_d + gap_root;
-                let inv_both = lit(1.0) / (x_d * x_d_1);
+                let x_d_1 = cut_x_d + gap_root;
+                let inv_both = lit(1.0) / (cut_x_d * x_d_1);
                 let inv_x_d = inv_both * x_d_1;
                 let (t_x, t_y) = (gap_root * inv_x_d, q_root * inv_x_d);
                 let kappa = height.hi.abs() * inv_r;
@@ -256,11 +257,22 @@ impl<L: Lane> Cap<L> {
         !L::lit(0.0).lt(self.radius_cos)
     }
 
+    /// Whether the point is on a surface: whether it has a normal.
+    #[inline(always)]
+    pub(crate) fn is_on_surface(&self) -> L::Mask {
+        is_on_surface(self.normal)
+    }
+
     /// `|Z|`.
     #[inline(always)]
     pub(crate) fn elevation(&self) -> L {
         self.elevation_sin.abs()
     }
+}
+
+#[inline(always)]
+fn is_on_surface<L: Lane>(normal: Vec3<L>) -> L::Mask {
+    L::lit(0.0).lt(normal.dot(normal))
 }
 
 impl<M: Copy, L: Blend<M>, const N: usize> Blend<M> for [L; N] {

@@ -131,7 +131,7 @@ impl<L: Lane> Sampler<L> {
         let samples_projected = zero.lt(inv_above + inv_below);
         // With nothing for the technique to sample, a defensive sampler still covers the whole cap: a shading normal may
         // see what the geometric one does not. So does every sampler without a surface, where no cosine exists.
-        let on_surface = zero.lt(cap.elevation_cos + cap.elevation_sin.abs());
+        let on_surface = cap.is_on_surface();
         let alone = L::select(zero.lt(defensive) | !on_surface, L::lit(1.0), zero);
         // The centre's side is the ellipse's; the other is the crescent's.
         let centre_above = zero.lt(cap.elevation_sin);
