@@ -3,7 +3,7 @@
 mod common;
 
 use common::{dot, hard_scenes, lanes, neighbours, oblique, strategies, widen, Random, Scene, RADII};
-use spherecap::{Hemispheres, Offset, Refusal, Sample, Sampler, Scalar, Strategy, Technique};
+use spherecap::{Cap, Density, Hemispheres, Offset, Refusal, Sample, Sampler, Scalar, Strategy, Technique};
 
 /// Random numbers, and the corners of the unit square: both ends, and the last number below one.
 fn numbers<F: Scalar>(random: &mut Random) -> Vec<[F; 2]> {
@@ -58,6 +58,7 @@ macro_rules! in_both_precisions {
 }
 in_both_precisions!(
     the_pdf_of_a_sample_is_the_one_it_reports
+    an_empty_cap_gives_no_density
     samples_lie_in_the_cap_and_above_the_horizon
     samples_are_where_their_ray_meets_the_sphere
     direction_forms_resolve_a_few_epsilon
@@ -307,6 +308,27 @@ fn no_unit_of_length_is_preferred<F: Scalar>() {
 }
 
 /// A point inside or on the sphere has its own refusal, however close to the surface.
+/// Also where nothing was checked before: below the horizon, inside, on the sphere, at its centre, too small to be seen.
+fn an_empty_cap_gives_no_density<F: Scalar>() {
+    let mut empty = 0;
+    for strategy in strategies::<F>() {
+        for (height, radius) in [(-2.0, 1.0), (0.5, 1.0), (1.0, 1.0), (0.0, 1.0), (1.0, F::MIN_POSITIVE)] {
+            let (zero, one) = (F::lit(0.0), F::lit(1.0));
+            let cap = Cap::new([zero, zero, one].into(), [zero, zero, F::lit(height)].into(), F::lit(radius));
+            let sampler = Sampler::new(cap, strategy);
+            let sample = sampler.sample(F::lit(0.5), F::lit(0.3));
+            if sampler.is_empty() {
+                empty += 1;
+                for density in [sample.density, sampler.pdf(sample.offset)] {
+                    let none = Density { solid_angle: zero, projected_solid_angle: zero };
+                    assert_eq!(density, none, "{strategy:?} {height} {radius:e}");
+                }
+            }
+        }
+    }
+    assert!(empty > 30, "only {empty} caps were empty");
+}
+
 #[test]
 fn points_inside_are_refused() {
     let mut random = Random(13);

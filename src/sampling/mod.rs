@@ -302,7 +302,8 @@ impl<L: Lane> Sampler<L> {
     pub fn pdf_on_sphere(&self, offset: Offset<L>) -> Density<L> {
         let zero = L::lit(0.0);
         let cap = &self.cap;
-        let cosine = offset.cosine.abs();
+        // An empty cap's samples may have none, and the density 0 yet.
+        let cosine = offset.cosine.abs().min(L::lit(L::MAX));
         let weight =
             if self.technique == Technique::SolidAngle { zero } else { self.projected_density(offset) };
         // What most samplers do without.
