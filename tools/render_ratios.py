@@ -11,15 +11,10 @@ import sys
 import time
 
 import numpy as np
-from renderlab.scenes import (
-    BUILT_IN,
-    OURS,
-    LabError,
-    load_scene,
-    render,
-    scene_names,
-    use_variant,
-)  # before Dr.Jit
+from renderlab.scenes import load_scene, scene_names  # before Dr.Jit
+from spherecap_command.compare import render
+from spherecap_command.errors import UserError
+from spherecap_command.scene import BUILT_IN, OURS, use_variant
 
 import drjit as dr  # isort: skip
 
@@ -100,7 +95,7 @@ def main() -> None:
         print(f"{'scene':<15} {BUILT_IN:>8} {OURS:>8}   ratio  [quartiles]      ops, ms ({BUILT_IN}; {OURS})")
         for name in chosen.scenes:
             measure(name, chosen)
-    except LabError as error:
+    except UserError as error:
         sys.exit(f"render_ratios: {error}")
 
 

@@ -37,7 +37,7 @@ _offer_llvm()
 
 import mitsuba  # noqa: E402 (which loads LLVM)
 
-__all__ = ["PLUGIN", "register"]
+__all__ = ["BUILT_FOR", "PLUGIN", "register"]
 
 _FOLDER = Path(__file__).resolve().parent
 
@@ -47,6 +47,8 @@ PLUGIN = _FOLDER / "plugins" / "spherecap.so"
 
 def _built_for(plugin: Path) -> str:
     """Which Mitsuba a plugin was compiled for. The plugin itself carries it, so the two cannot disagree."""
+    if not plugin.is_file():
+        raise ImportError(f"The spherecap plugin is not built, {plugin} is missing: run 'make build'.")
     mark = b"spherecap plugin for Mitsuba "
     _, found, rest = plugin.read_bytes().partition(mark)
     if not found:
@@ -54,19 +56,20 @@ def _built_for(plugin: Path) -> str:
     return rest.partition(b"\0")[0].decode()
 
 
+#: The version of Mitsuba that the plugin was compiled for.
+BUILT_FOR = _built_for(PLUGIN)
+
+
 def register() -> None:
     """Add the plugin's folder to Mitsuba's search path.
 
-    Done on import; to be done again after ``mi.set_file_resolver``. Raises ImportError if the plugin was not
-    built, or was built for another version of Mitsuba.
+    Done on import; to be done again after ``mi.set_file_resolver``. Raises ImportError if the plugin was
+    built for another version of Mitsuba.
     """
-    if not PLUGIN.is_file():
-        raise ImportError(f"The spherecap plugin is not built, {PLUGIN} is missing: run 'make build'.")
-    version = _built_for(PLUGIN)
-    if mitsuba.__version__ != version:
+    if mitsuba.__version__ != BUILT_FOR:
         raise ImportError(
-            f"The spherecap plugin was built for Mitsuba {version}, but this is Mitsuba "
-            f"{mitsuba.__version__}: install mitsuba=={version}, or build the plugin again ('make build')."
+            f"The spherecap plugin was built for Mitsuba {BUILT_FOR}, but this is Mitsuba "
+            f"{mitsuba.__version__}: install mitsuba=={BUILT_FOR}, or build the plugin again ('make build')."
         )
     resolver = mitsuba.file_resolver()
     if str(_FOLDER) not in map(str, resolver):

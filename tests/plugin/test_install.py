@@ -1,12 +1,15 @@
-"""`pip install` gives a package that needs neither this repository nor a path to it."""
+"""`pip install` gives packages and a command that need neither this repository nor a path to it."""
 
 import os
+import re
 import subprocess
 import sys
+import sysconfig
 import zipfile
 from pathlib import Path
 
 import pytest
+import tomllib
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 TOOLS = Path(sys.executable).parent  # cmake and ninja are in the same environment
@@ -32,25 +35,51 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_the_wheel_holds_the_package_and_nothing_else(wheel: Path) -> None:
-    """One module, one plugin; for any Python, on Linux."""
+@pytest.fixture(scope="module")
+def environment(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A new virtual environment, in a folder with a space, that has what this one has."""
+    folder = tmp_path_factory.mktemp("an environment") / "venv"
+    run(sys.executable, "-m", "venv", "--without-pip", folder)
+    (site,) = folder.glob("lib/python*/site-packages")
+    (site / "everything_else.pth").write_text(sysconfig.get_path("purelib") + "\n")
+    return folder
+
+
+def test_the_wheel_holds_the_packages_and_nothing_else(wheel: Path) -> None:
+    """Python, one plugin, one CMake module; for any Python, on Linux; of the library's version."""
     names = zipfile.ZipFile(wheel).namelist()
-    ours = sorted(name for name in names if ".dist-info/" not in name)
-    assert ours == ["spherecap/__init__.py", "spherecap/plugins/spherecap.so"]
-    assert wheel.name.endswith("-py3-none-linux_x86_64.whl")
+    ours = {name for name in names if ".dist-info/" not in name}
+    package = REPOSITORY / "mitsuba_plugin"
+    python = {path.relative_to(package).as_posix() for path in package.glob("spherecap*/*.py")}
+    assert ours == python | {"spherecap/plugins/spherecap.so", "spherecap/cmake/FindMitsubaWheel.cmake"}
+    version = tomllib.loads((REPOSITORY / "Cargo.toml").read_text())["package"]["version"]
+    assert wheel.name == f"spherecap-{version}-py3-none-linux_x86_64.whl"
 
 
-def test_the_installed_package_registers_the_emitter(wheel: Path, tmp_path: Path) -> None:
-    """Installed in a folder with a space, the import is all that a user needs."""
-    site = tmp_path / "a site"
-    pip = (sys.executable, "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
-    run(*pip, "--no-deps", "--no-index", "--target", site, wheel)
+def test_installed_used_and_uninstalled(wheel: Path, environment: Path, tmp_path: Path) -> None:
+    """The import is all that the emitter needs; the command is there; and afterwards all is as before."""
+    before = sorted(environment.rglob("*"))
+    pip = (sys.executable, "-m", "pip", "--python", environment / "bin/python", "--disable-pip-version-check")
+    run(*pip, "install", "--quiet", "--no-compile", "--no-deps", "--no-index", wheel)
     program = """
 import mitsuba as mi, spherecap
 mi.set_variant("scalar_rgb")
 print(spherecap.PLUGIN)
 print(mi.load_dict({"type": "sphere", "emitter": {"type": "spherecap"}}).emitter().class_name())
 """
-    plugin, name = run(sys.executable, "-c", program, PYTHONPATH=str(site)).split("\n")[:2]
-    assert Path(plugin) == site / "spherecap/plugins/spherecap.so"
+    plugin, name = run(environment / "bin/python", "-B", "-c", program).split("\n")[:2]
+    assert Path(plugin).is_relative_to(environment)
     assert name == "SphereCap"
+
+    command = environment / "bin/spherecap"
+    version = wheel.name.split("-")[1]
+    assert f"spherecap {version}\n" in run(command, "info", PYTHONDONTWRITEBYTECODE="1")
+    scene = REPOSITORY / "scenes/cut_light.xml"
+    words = ("-D", "width=16", "-D", "height=12", "--spp", "1", "--reference", "8")
+    output = ("--output", tmp_path / "compared")
+    printed = run(command, "compare", scene, *words, *output, PYTHONDONTWRITEBYTECODE="1")
+    assert re.search(r"^ +1 +spherecap +[\d.]+ +[\d.]+ +[\d.]+x +[\d.]+x$", printed, re.MULTILINE)
+    assert (tmp_path / "compared/index.html").is_file()
+
+    run(*pip, "uninstall", "--quiet", "--yes", "spherecap")
+    assert sorted(environment.rglob("*")) == before

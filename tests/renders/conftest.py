@@ -8,9 +8,10 @@ import pytest
 REPOSITORY = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(REPOSITORY / "tools"), str(Path(__file__).resolve().parent)]
 
+import renderlab  # noqa: E402, F401 (registers the plugin, or says how to build it)
 from gallery import Gallery  # noqa: E402 (needs the paths above)
 from plan import VARIANTS  # noqa: E402
-from renderlab.scenes import OURS, LabError, register_plugin, use_variant  # noqa: E402
+from spherecap_command.scene import OURS, use_variant  # noqa: E402
 
 TABLE = pytest.StashKey[dict]()
 
@@ -32,15 +33,9 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.fixture(scope="session", params=VARIANTS)
 def gallery(request: pytest.FixtureRequest) -> Gallery:
-    """All images of one variant. A plugin that is missing fails every test that needs it."""
-    candidate = candidate_of(request.config)
-    try:
-        use_variant(request.param)
-        if candidate == OURS:
-            register_plugin()
-    except LabError as error:
-        pytest.fail(str(error), pytrace=False)
-    return Gallery(request.param, candidate)
+    """All images of one variant."""
+    use_variant(request.param)
+    return Gallery(request.param, candidate_of(request.config))
 
 
 @pytest.fixture

@@ -4,7 +4,8 @@ import numpy as np
 from plan import SEEDS, Plan
 from renderlab.estimate import Estimate
 from renderlab.floor_reference import FloorScene, read_floor_scene, reference_image, trusted_pixels
-from renderlab.scenes import BUILT_IN, load_scene, render_stack, use_variant
+from renderlab.scenes import load_scene, render_stack
+from spherecap_command.scene import BUILT_IN, use_variant
 
 # Both emitters get seeds of their own, so that their noise is independent even where they sample alike.
 FIRST_SEED = {True: 1000, False: 0}

@@ -9,7 +9,9 @@ import pytest
 from gallery import Gallery
 from plan import PLANS
 from renderlab.floor_reference import read_floor_scene, reference_image
-from renderlab.scenes import BUILT_IN, load_scene, render, use_variant
+from renderlab.scenes import load_scene
+from spherecap_command.compare import render
+from spherecap_command.scene import BUILT_IN, use_variant
 
 TINY = next(plan for plan in PLANS if plan.scene == "tiny_far_light")
 # Distance from the point of the floor below the light, scene units; scenes/tiny_far_light.xml.

@@ -7,9 +7,12 @@ import numpy as np
 import pytest
 from gallery import Gallery
 from plan import PLANS, Plan
-from renderlab.estimate import Estimate, relative_mse, relative_rmse
+from renderlab.estimate import Estimate
 from renderlab.floor_reference import FLOOR_SCENES, jittered_image
-from renderlab.scenes import load_scene, render, use_variant
+from renderlab.scenes import load_scene
+from spherecap_command.compare import render
+from spherecap_command.measure import relative_mse, relative_rmse
+from spherecap_command.scene import use_variant
 
 # Resolution and samples per pixel of the comparison of noise, and how many renders measure it.
 WIDTH, HEIGHT, SPP, SEEDS = 64, 48, 16, 16

@@ -5,7 +5,8 @@ import subprocess
 import sys
 
 import pytest
-from renderlab.scenes import OURS, OUTPUT, REPOSITORY
+from renderlab.scenes import OUTPUT, REPOSITORY
+from spherecap_command.scene import OURS
 
 
 def run(*command: str) -> subprocess.CompletedProcess:
@@ -49,16 +50,3 @@ def test_mistakes_are_explained(arguments: list[str], words: list[str]) -> None:
     assert "Traceback" not in done.stderr
     for word in words:
         assert word in done.stderr
-
-
-def test_missing_plugin_says_make_build() -> None:
-    """With a package that cannot be imported."""
-    done = run(
-        "-c",
-        "import sys; sys.path.insert(0, 'tools'); sys.modules['spherecap'] = None\n"
-        "from renderlab import scenes\n"
-        "scenes.use_variant('scalar_rgb')\n"
-        "scenes.register_plugin()",
-    )
-    assert "LabError" in done.stderr
-    assert "make build" in done.stderr

@@ -1,8 +1,9 @@
 """The statistics on made-up images, where the truth is known."""
 
 import numpy as np
-from renderlab.estimate import ROUNDING, Estimate, p_values, relative_rmse, sidak
+from renderlab.estimate import ROUNDING, Estimate, p_values, sidak
 from scipy import stats
+from spherecap_command.measure import relative_rmse
 
 
 def noisy_stack(seed: int, mean: float = 1.0, deviation: float = 0.1, renders: int = 32) -> np.ndarray:

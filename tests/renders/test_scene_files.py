@@ -5,7 +5,8 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 from plan import PLANS
-from renderlab.scenes import LabError, scene_file, scene_names
+from renderlab.scenes import scene_file, scene_names
+from spherecap_command.errors import UserError
 
 
 def test_every_scene_is_planned() -> None:
@@ -34,5 +35,5 @@ def test_scene_file(name: str) -> None:
 
 def test_unknown_scene_is_named_with_the_choices() -> None:
     """The message is what the demo shows."""
-    with pytest.raises(LabError, match=r"no scene 'moon'.*open_floor"):
+    with pytest.raises(UserError, match=r"no scene 'moon'.*open_floor"):
         scene_file("moon")

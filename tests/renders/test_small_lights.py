@@ -8,7 +8,8 @@ from gallery import Gallery
 from plan import SEEDS, SIGNIFICANCE
 from renderlab.estimate import Estimate, p_values, sidak
 from renderlab.floor_reference import read_floor_scene, reference_image, trusted_pixels
-from renderlab.scenes import OURS, load_scene, render_stack
+from renderlab.scenes import load_scene, render_stack
+from spherecap_command.scene import OURS
 
 SCENE = "tiny_far_light"
 # Distance from the floor to the light's centre, scene units; scenes/tiny_far_light.xml.

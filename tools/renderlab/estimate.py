@@ -1,4 +1,4 @@
-"""Error measures and tests of equality for rendered images.
+"""Tests of equality for rendered images.
 
 All tests work on stacks: independent renders of one scene that differ in their seed, shape (renders, ...).
 Their spread gives the variance of their mean without any assumption on the scene.
@@ -9,38 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import stats
 
-# Where the reference is darker than a tenth of its mean, errors count relative to that tenth. Otherwise the
-# rare bright sample in an almost black penumbra decides everything: one such pixel made three quarters of
-# an image's error.
-DARK = 0.1
-
 # Largest relative bias that rounding may cause: single-precision kernels are held to 1e-5, and the film,
 # which adds samples in single precision, was measured to be off by 8e-7 at 1024 samples per pixel, 3.2e-6
 # at 4096.
 ROUNDING = 1.4e-5
-
-
-def error_scale(reference: np.ndarray, dark: float = DARK) -> np.ndarray:
-    """Return what errors are relative to: the reference, or where it is darker, `dark` times its mean."""
-    return np.sqrt(reference**2 + (dark * reference.mean()) ** 2)
-
-
-def relative_mse(
-    image: np.ndarray, reference: np.ndarray, mask: np.ndarray | None = None, dark: float = DARK
-) -> np.ndarray:
-    """Return the mean squared error relative to the reference, for each image of a stack (..., h, w, 3).
-
-    mask: the pixels that count, shape (h, w); all by default. dark: see `error_scale`.
-    """
-    squared = (image - reference) ** 2 / error_scale(reference, dark) ** 2
-    return squared.mean(axis=(-3, -2, -1)) if mask is None else squared[..., mask, :].mean(axis=(-2, -1))
-
-
-def relative_rmse(
-    image: np.ndarray, reference: np.ndarray, mask: np.ndarray | None = None, dark: float = DARK
-) -> float:
-    """Return the root of the relative mean squared error, for a stack the root of its mean."""
-    return float(np.sqrt(np.mean(relative_mse(image, reference, mask, dark))))
 
 
 @dataclass(frozen=True)

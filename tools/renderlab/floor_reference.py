@@ -11,9 +11,10 @@ from dataclasses import dataclass
 
 import mitsuba as mi
 import numpy as np
+from spherecap_command.scene import BUILT_IN
 
 from renderlab.irradiance import projected_solid_angle
-from renderlab.scenes import BUILT_IN, load_scene
+from renderlab.scenes import load_scene
 
 FLOOR_SCENES = ("open_floor", "cut_light", "sunken_light", "tiny_far_light", "touching_light")
 NODES_PER_SIDE = 16

@@ -6,24 +6,11 @@ from pathlib import Path
 
 import matplotlib
 import matplotlib.pyplot as plt
-import mitsuba as mi
 import numpy as np
-
-from renderlab.estimate import error_scale
+from spherecap_command.measure import error_scale
+from spherecap_command.pictures import densest_crop, exposure, save_exr, to_srgb
 
 matplotlib.use("Agg")  # No display is needed.
-
-
-def exposure(reference: np.ndarray) -> float:
-    """Return the factor that keeps all but the brightest twentieth of an image (mostly lamps) below white."""
-    bright = np.percentile(reference.mean(axis=-1), 95)
-    return 0.8 / max(bright, 1e-12)
-
-
-def to_srgb(image: np.ndarray, factor: float) -> np.ndarray:
-    """Scale linear radiance, clip it to [0, 1] and encode it for a screen."""
-    linear = np.clip(image * factor, 0, 1)
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
 def show(axes: plt.Axes, image: np.ndarray, title: str = "", **options: object) -> None:
@@ -32,11 +19,6 @@ def show(axes: plt.Axes, image: np.ndarray, title: str = "", **options: object) 
     axes.set_title(title, fontsize=10)
     axes.set_xticks([])
     axes.set_yticks([])
-
-
-def save_exr(path: Path, image: np.ndarray) -> None:
-    """Write linear values in single precision."""
-    mi.Bitmap(np.ascontiguousarray(image, dtype=np.float32)).write(str(path))
 
 
 def save_failure(folder: Path, image: np.ndarray, reference: np.ndarray, p: np.ndarray) -> None:
@@ -66,14 +48,6 @@ class Panel:
 
     image: np.ndarray
     label: str
-
-
-def densest_crop(error: np.ndarray, side: int) -> tuple[slice, slice]:
-    """Return the square of side x side pixels with the largest sum of errors: where to look."""
-    sums = np.pad(error.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
-    totals = sums[side:, side:] - sums[:-side, side:] - sums[side:, :-side] + sums[:-side, :-side]
-    row, column = np.unravel_index(np.argmax(totals), totals.shape)
-    return slice(row, row + side), slice(column, column + side)
 
 
 def save_comparison(path: Path, title: str, panels: Sequence[Panel], reference: Panel) -> None:

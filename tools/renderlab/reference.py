@@ -2,30 +2,19 @@
 
 import hashlib
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 
 import mitsuba as mi
 import numpy as np
+from spherecap_command.compare import PASSES, Reference, rendered_reference
 
-from renderlab.estimate import Estimate
 from renderlab.floor_reference import FLOOR_SCENES, read_floor_scene, reference_image, trusted_pixels
-from renderlab.scenes import BUILT_IN, OUTPUT, load_scene, render, scene_file
+from renderlab.scenes import OUTPUT, load_scene, scene_file
 
-# Stratified samples in independent passes; 16 * 64 samples per pixel in all.
-PASSES = 16
-SPP_PER_PASS = 64
-FIRST_SEED = 5000
-
-
-@dataclass(frozen=True)
-class Reference:
-    """An image, the variance of its pixels, the pixels to be trusted, and where it comes from, in words."""
-
-    image: np.ndarray
-    variance: np.ndarray
-    trusted: np.ndarray
-    origin: str
+# With each emitter; stratified samples, in passes of a square number.
+SPP = PASSES * 64
 
 
 def needs_rendering(name: str, width: int, height: int) -> bool:
@@ -37,7 +26,7 @@ def cache_file(name: str, width: int, height: int) -> Path:
     """Return where a rendered reference is kept; a changed scene, size or Mitsuba gets another name."""
     parts = [
         scene_file(name).read_bytes(),
-        f"{width} {height} {mi.variant()} {mi.__version__} {PASSES} {SPP_PER_PASS}".encode(),
+        f"{width} {height} {mi.variant()} {mi.__version__} {PASSES} {SPP}".encode(),
     ]
     if b'name="filename"' in parts[0]:
         meshes = sorted((scene_file(name).parent / "meshes").iterdir())
@@ -46,28 +35,18 @@ def cache_file(name: str, width: int, height: int) -> Path:
     return OUTPUT / "references" / f"{name}-{key}.npz"
 
 
-def reference(name: str, width: int, height: int, progress: Callable[[], None] = lambda: None) -> Reference:
-    """Return the reference of a scene; `progress` is called after each pass if it must be rendered.
-
-    Rendered references use the built-in emitter, so that ours is never compared with itself.
-    """
+def reference(name: str, width: int, height: int, advance: Callable[[int], None]) -> Reference:
+    """Return the reference of a scene; `advance` is told the samples done if it must be rendered."""
     if name in FLOOR_SCENES:
         floor = read_floor_scene(name, width=width, height=height)
         image = reference_image(floor)
         return Reference(image, np.zeros_like(image), trusted_pixels(floor), "analytic")
-    trusted = np.ones((height, width), dtype=bool)
-    origin = f"{BUILT_IN}, {PASSES * SPP_PER_PASS} spp"
     file = cache_file(name, width, height)
-    if file.exists():
-        with np.load(file) as kept:
-            image, variance = (kept[key].astype(np.float64) for key in ("image", "variance"))
-        return Reference(image, variance, trusted, origin)
-    scene = load_scene(name, BUILT_IN, sampler="multijitter", spp=SPP_PER_PASS, width=width, height=height)
-    passes = []
-    for number in range(PASSES):
-        passes.append(render(scene, SPP_PER_PASS, FIRST_SEED + number))
-        progress()
-    estimate = Estimate.from_stack(np.stack(passes))
-    file.parent.mkdir(parents=True, exist_ok=True)
-    np.savez(file, image=estimate.mean.astype(np.float32), variance=estimate.variance.astype(np.float32))
-    return Reference(estimate.mean, estimate.variance, trusted, origin)
+    if not file.exists():
+        size = {"width": width, "height": height}
+        load = partial(load_scene, name, sampler="multijitter", spp=SPP // PASSES, **size)
+        made = rendered_reference(load, SPP, advance)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        np.savez(file, **asdict(made))
+    with np.load(file) as kept:
+        return Reference(kept["image"], kept["variance"], kept["trusted"], str(kept["origin"]))

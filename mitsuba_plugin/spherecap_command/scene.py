@@ -1,0 +1,157 @@
+"""The sphere lights of any scene, found by Mitsuba's own parser: includes, references, defaults resolved.
+
+Whether a light can be a `spherecap` is the plugin's decision: each sphere is made once, alone, and what the
+plugin says against it is the reason to leave it as it is.
+"""
+
+import contextlib
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import mitsuba as mi
+
+from spherecap_command.errors import UserError
+
+BUILT_IN = "area"
+OURS = "spherecap"
+
+# What `area` does not know. Mitsuba refuses parameters that nobody asks for.
+OWN_PARAMETERS = ("technique", "hemispheres", "defensive")
+
+
+def use_variant(variant: str) -> None:
+    """Select a Mitsuba variant, or raise with the list of variants that there are."""
+    if variant not in mi.variants():
+        raise UserError(f"Mitsuba has no variant '{variant}'; choose one of: {', '.join(mi.variants())}")
+    try:
+        mi.set_variant(variant)
+    except Exception as error:  # Mitsuba raises ImportError or RuntimeError, e.g. for lack of a GPU.
+        raise UserError(f"the variant '{variant}' does not work on this machine: {error}") from error
+
+
+@dataclass(frozen=True)
+class Light:
+    """An area light, with either emitter.
+
+    node: its emitter, in the parser's list. where: file and line. refusal: why it cannot be a `spherecap`;
+    empty if it can.
+    """
+
+    node: int
+    emitter: str
+    where: str
+    refusal: str
+
+
+class ParsedScene:
+    """A scene as parsed, before anything is loaded, and its lights."""
+
+    def __init__(self, path: Path, parameters: dict[str, str]):
+        """Parse a file; parameters replace the values of its `<default>`s. Needs a variant to be set."""
+        if not path.is_file():
+            raise UserError(f"there is no file '{path}'")
+        self.path = path
+        # Beside the scene is where its meshes and textures are; the parser adds the paths that it names.
+        self._resolver = mi.FileResolver(mi.file_resolver())
+        self._resolver.prepend(str(path.resolve().parent))
+        self._config = mi.parser.ParserConfig(mi.variant())
+        with self._searching(), _explained(f"Mitsuba cannot read '{path}'"):
+            self.state = mi.parser.parse_file(self._config, str(path), **parameters)
+            mi.parser.transform_upgrade(self._config, self.state)
+            mi.parser.transform_resolve(self._config, self.state)
+        self.files = [Path(str(file)).resolve() for file in self.state.files]
+        self.lights = list(self._find_lights())
+
+    @property
+    def convertible(self) -> list[Light]:
+        """The lights that can be a `spherecap`, or are one."""
+        return [light for light in self.lights if not light.refusal]
+
+    @property
+    def refused(self) -> list[Light]:
+        """The lights that stay as they are."""
+        return [light for light in self.lights if light.refusal]
+
+    def load(self, emitter: str) -> "mi.Scene":
+        """Load the scene with `emitter` on every light that can be a `spherecap`."""
+        state = mi.parser.ParserState(self.state)
+        for light in self.convertible:
+            _change(state.nodes[light.node], emitter)
+        with self._searching(), _explained(f"Mitsuba cannot load '{self.path}'"):
+            mi.parser.transform_all(self._config, state)
+            return mi.parser.instantiate(self._config, state)
+
+    def resolve(self, name: str) -> Path:
+        """Return the file that the scene means by a name."""
+        return Path(str(self._resolver.resolve(name))).resolve()
+
+    def explain_no_lights(self) -> str:
+        """Say why there is nothing to convert or compare."""
+        text = f"'{self.path}' has no sphere light: no <shape type=\"sphere\"> with an area emitter"
+        refused = [f"\n  {light.where}: {light.refusal}" for light in self.refused]
+        return text + (" that could be a spherecap:" + "".join(refused) if refused else "")
+
+    def _find_lights(self) -> Iterator[Light]:
+        for number, shape in enumerate(self.state.nodes):
+            if shape.type != mi.ObjectType.Shape:
+                continue
+            for child in _children(shape):
+                emitter = self.state.nodes[child].props.plugin_name()
+                if emitter in (BUILT_IN, OURS):
+                    where = mi.parser.file_location(self.state, self.state.nodes[child])
+                    yield Light(child, emitter, where, self._refusal(number, child))
+
+    def _refusal(self, shape: int, emitter: int) -> str:
+        """Return what speaks against a `spherecap` there."""
+        kind = self.state.nodes[shape].props.plugin_name()
+        if kind != "sphere":  # without loading it, as it may be a large mesh
+            return f"its shape is a '{kind}', not a sphere"
+        state = mi.parser.ParserState(self.state)
+        _change(state.nodes[emitter], OURS)
+        state.nodes[0] = mi.parser.SceneNode(state.nodes[shape])  # the root: all else is left out
+        try:
+            with self._searching():
+                mi.parser.instantiate(self._config, state)
+        except RuntimeError as error:
+            return _sentence(error)
+        return ""
+
+    @contextlib.contextmanager
+    def _searching(self) -> Iterator[None]:
+        """Search for files where the scene would; afterwards the search path is what it was."""
+        before = mi.file_resolver()
+        mi.set_file_resolver(self._resolver)
+        try:
+            yield
+        finally:
+            mi.set_file_resolver(before)
+
+
+def _children(node: "mi.parser.SceneNode") -> Iterator[int]:
+    names = node.props.keys()
+    for name in names:
+        if node.props.type(name) == mi.Properties.Type.ResolvedReference:
+            yield node.props.get(name).index()
+
+
+def _change(node: "mi.parser.SceneNode", emitter: str) -> None:
+    node.props.set_plugin_name(emitter)
+    if emitter == BUILT_IN:
+        for name in OWN_PARAMETERS:
+            if name in node.props:
+                node.props.remove_property(name)
+
+
+@contextlib.contextmanager
+def _explained(what: str) -> Iterator[None]:
+    try:
+        yield
+    except RuntimeError as error:
+        raise UserError(f"{what}: {error}") from error
+
+
+def _sentence(error: RuntimeError) -> str:
+    """Return what a plugin said, without the places in Mitsuba's sources that it went through."""
+    return re.split(r"\[\w+\] ", str(error))[-1].strip()

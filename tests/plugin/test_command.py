@@ -1,0 +1,324 @@
+"""The command `spherecap`, on scenes such as users have: folders of their own, meshes, includes, defaults."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import mitsuba as mi
+import numpy as np
+import pytest
+from spherecap_command.__main__ import main
+from spherecap_command.scene import BUILT_IN, OURS, ParsedScene, use_variant
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+
+# Every kind of light that there is. {…} are replaced by the two emitters.
+SCENE = """<?xml version="1.0" encoding="utf-8"?>
+<!-- Kerzen für Zoë: <emitter type="area"/> in a comment stays. -->
+<scene version="3.0.0">
+\t<default name="lamp" value="{lamp}"/>
+    <default name="parts" value="parts"/>
+    <path value="textures"/>
+    <integrator type="direct"/>
+    <sensor type="perspective">
+        <transform name="to_world"><lookat origin="1, -4, 7" target="0, 0, 0" up="0, 0, 1"/></transform>
+        <!-- A box filter: others add up in the order in which threads finish. -->
+        <film type="hdrfilm"><integer name="width" value="24"/><integer name="height" value="16"/>
+            <rfilter type="box"/></film>
+    </sensor>
+    <shape type="obj"><string name="filename" value="floor.obj"/></shape>
+
+    <!-- By a default that nothing else reads, in two places. -->
+    <shape type="sphere"><point name="center" x="-2" y="0" z="0.2"/><float name="radius" value="0.4"/>
+        <emitter type="$lamp"><rgb name="radiance" value="3, 2, 1"/></emitter></shape>
+    <shape type="sphere"><point name="center" x="-2" y="2" z="0.2"/><float name="radius" value="0.4"/>
+        <emitter type="$lamp"/></shape>
+
+    <!-- Odd formatting, and a > within an attribute. -->
+    <shape id="a > b" type='sphere'><point name="center" x="2" y="0" z="0.6"/>
+        <float name="radius" value="0.4"/>
+        <emitter
+            id="c > d"   type = '{plain}'
+        ><rgb name="radiance" value="1, 2, 3"/></emitter></shape>
+
+    <!-- Referred to from elsewhere. -->
+    <emitter id="far" type="{plain}"/>
+    <shape type="sphere"><point name="center" x="0" y="3" z="0.1"/><float name="radius" value="0.3"/>
+        <ref id="far"/></shape>
+    <include filename="$parts/lamp.xml"/>
+
+    <!-- To be left alone: not a sphere, textured, stretched. -->
+    <shape type="rectangle"><transform name="to_world"><scale value="0.3"/>
+        <rotate x="1" angle="180"/><translate z="3"/></transform><emitter type="area"/></shape>
+    <shape type="sphere"><point name="center" x="2" y="2" z="0.6"/><float name="radius" value="0.3"/>
+        <emitter type="area"><texture name="radiance" type="bitmap">
+            <string name="filename" value="stripes.png"/></texture></emitter></shape>
+    <shape type="sphere"><transform name="to_world"><scale x="0.2" y="0.3" z="0.2"/>
+        <translate x="3" z="1"/></transform><emitter type="area"/></shape>
+</scene>
+"""
+INCLUDED = """<scene version="3.0.0">
+    <shape type="sphere"><point name="center" x="0" y="-2" z="0.3"/><float name="radius" value="0.3"/>
+        <emitter type="{plain}"/></shape>
+</scene>
+"""
+FLOOR = "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n"
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A user's folder, with a space in its name."""
+    home = tmp_path / "my scenes"
+    for sub in ("parts", "textures"):
+        (home / sub).mkdir(parents=True)
+    (home / "scene.xml").write_text(SCENE.format(lamp="area", plain="area"), encoding="utf-8")
+    (home / "parts/lamp.xml").write_text(INCLUDED.format(plain="area"), encoding="utf-8")
+    (home / "floor.obj").write_text(FLOOR)
+    use_variant("scalar_rgb")
+    mi.Bitmap(np.full((4, 4, 3), 200, dtype=np.uint8)).write(str(home / "textures/stripes.png"))
+    return home
+
+
+def small_scene(light: str) -> str:
+    """Return a scene with one light."""
+    return f"""<scene version="3.0.0">
+    <integrator type="direct"/>
+    <sensor type="perspective">
+        <film type="hdrfilm"><integer name="width" value="8"/><integer name="height" value="8"/></film>
+    </sensor>
+    {light}
+</scene>
+"""
+
+
+SPHERE = '<shape type="sphere"><point name="center" x="0" y="0" z="4"/><emitter type="area"/></shape>'
+
+
+def test_convert_changes_the_sphere_lights_and_nothing_else(
+    folder: Path, capsys: pytest.CaptureFixture
+) -> None:
+    """Byte for byte what an author would have written."""
+    source, result = folder / "scene.xml", folder / "new.xml"
+    before = source.read_bytes()
+    assert main(["convert", str(source), str(result)]) == 0
+    expected = SCENE.format(lamp="area", plain="spherecap").replace("$parts/lamp.xml", "new-lamp.xml")
+    # A default of a scene of several files may be read elsewhere: it is the lights that change.
+    expected = expected.replace('type="$lamp"', 'type="spherecap"')
+    assert result.read_text(encoding="utf-8") == expected
+    assert (folder / "new-lamp.xml").read_text() == INCLUDED.format(plain="spherecap")
+    assert source.read_bytes() == before
+    printed = capsys.readouterr().out
+    assert printed.count("spherecap: ") == 5
+    for reason in ("a 'rectangle', not a sphere", "must not vary over the sphere", "uniformly scaled"):
+        assert re.search(rf"stays as it is: .*scene\.xml \(line \d+, col \d+\): .*{reason}", printed), printed
+
+
+def test_convert_changes_a_default_that_only_lights_read(folder: Path) -> None:
+    """So that the scene's own switch goes on working."""
+    source, result = folder / "one.xml", folder / "new.xml"
+    text = SCENE.format(lamp="area", plain="spherecap").replace('<include filename="$parts/lamp.xml"/>', "")
+    text = text.replace('<default name="parts" value="parts"/>', "")
+    source.write_text(text, encoding="utf-8")
+    assert main(["convert", str(source), str(result)]) == 0
+    assert result.read_text(encoding="utf-8") == text.replace(
+        '"lamp" value="area"', '"lamp" value="spherecap"'
+    )
+
+
+def test_what_was_converted_renders_from_another_folder(folder: Path, tmp_path: Path) -> None:
+    """With the meshes, textures and includes of the original, and as `compare` renders it."""
+    (tmp_path / "other").mkdir()
+    result = tmp_path / "other/new.xml"
+    assert main(["convert", str(folder / "scene.xml"), str(result)]) == 0
+    images = {
+        name: np.array(mi.render(scene, spp=4, seed=1))
+        for name, scene in {
+            "converted": mi.load_file(str(result)),
+            "as ours": ParsedScene(folder / "scene.xml", {}).load(OURS),
+            "as built in": ParsedScene(result, {}).load(BUILT_IN),
+            "original": mi.load_file(str(folder / "scene.xml")),
+        }.items()
+    }
+    np.testing.assert_array_equal(images["converted"], images["as ours"])
+    np.testing.assert_array_equal(images["original"], images["as built in"])
+    assert np.any(images["converted"] != images["original"])
+
+
+def test_a_byte_order_mark_does_not_shift_the_edits(tmp_path: Path) -> None:
+    """As some editors write it."""
+    source, result = tmp_path / "a.xml", tmp_path / "b.xml"
+    source.write_bytes(b"\xef\xbb\xbf" + small_scene(SPHERE).encode())
+    assert main(["convert", str(source), str(result)]) == 0
+    assert result.read_bytes() == source.read_bytes().replace(b'"area"', b'"spherecap"')
+
+
+def test_compare_leaves_images_and_a_page(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    """From another folder, and with the scene's resources."""
+    monkeypatch.chdir(tmp_path)
+    command = ["compare", "my scenes/scene.xml", "--spp", "4", "1", "--reference", "16"]
+    assert main(command) == 0
+    output = tmp_path / "scene-compare"
+    names = {f"{emitter}-{spp}spp" for emitter in (BUILT_IN, OURS) for spp in (1, 4)} | {"reference"}
+    expected = {f"{name}{end}" for name in names for end in (".exr", ".png", "-detail.png")} | {"index.html"}
+    assert {path.name for path in output.iterdir()} == expected
+    for name in names:
+        image = np.array(mi.Bitmap(str(output / f"{name}.exr")))
+        assert image.shape == (16, 24, 3)
+        assert np.all(np.isfinite(image))
+        assert image.max() > 0
+    captured = capsys.readouterr()
+    rows = re.findall(r"^ +(\d+) +(area|spherecap) +([\d.]+) +([\d.]+)", captured.out, re.MULTILINE)
+    assert [(row[0], row[1]) for row in rows] == [
+        ("1", "area"),
+        ("1", "spherecap"),
+        ("4", "area"),
+        ("4", "spherecap"),
+    ]
+    assert "5 sphere lights, 24 x 16 pixels, scalar_rgb" in captured.out
+    assert "100%" in captured.err  # the progress bar
+    page = (output / "index.html").read_text(encoding="utf-8")
+    assert page.count("data:image/png;base64,") == 2 * 2 * 3
+    assert "http" not in page
+    for row in rows:
+        assert f"<td>{row[3]}</td>" in page
+
+
+@pytest.mark.parametrize("variant", ["llvm_ad_mono", "llvm_ad_spectral_polarized"])
+def test_compare_in_other_variants(tmp_path: Path, variant: str, capsys: pytest.CaptureFixture) -> None:
+    """Whatever the colours are."""
+    (tmp_path / "a.xml").write_text(small_scene(SPHERE))
+    output = tmp_path / "out/a"  # whose parent is made, too
+    command = ["compare", str(tmp_path / "a.xml"), "--variant", variant, "--spp", "1", "--reference", "8"]
+    assert main([*command, "--output", str(output)]) == 0
+    assert variant in capsys.readouterr().out
+    assert (output / "spherecap-1spp.exr").exists()
+
+
+def test_info(capsys: pytest.CaptureFixture) -> None:
+    """Versions, variants, the processor."""
+    assert main(["info"]) == 0
+    printed = capsys.readouterr().out
+    assert f"mitsuba {mi.__version__}\n" in printed
+    assert f"spherecap.so, built for Mitsuba {mi.__version__}\n" in printed
+    for feature in ("sse4_2", "avx2", "fma", "f16c"):
+        assert f"{feature} yes" in printed
+    for variant in mi.variants():
+        assert re.search(rf"^  {variant} +(works|not on this machine: .+)$", printed, re.MULTILINE)
+    assert re.search("scalar_rgb +works", printed)
+
+
+BELOW = SPHERE.replace('z="4"', 'z="-9"')
+CUBE = '<shape type="cube"><emitter type="area"/></shape>'
+MESH = '<shape type="obj"><string name="filename" value="x.obj"/></shape>'
+
+
+def scene(folder: Path, *shapes: str) -> str:
+    """Write a scene, and return its name."""
+    return write(folder / "a.xml", small_scene("".join(shapes)))
+
+
+def write(path: Path, text: str) -> str:
+    """Write a file, and return its name."""
+    path.write_text(text)
+    return str(path)
+
+
+# Arguments, made in a temporary folder, and what the message says.
+MISTAKES = {
+    "no file": (lambda t: ["compare", f"{t}/moon.xml"], "there is no file '.*moon.xml'"),
+    "no file to convert": (lambda t: ["convert", f"{t}/moon.xml", f"{t}/b.xml"], "there is no file"),
+    "no such variant": (
+        lambda t: ["compare", scene(t, SPHERE), "--variant", "quantum_rgb"],
+        "no variant 'quantum_rgb'; choose one of: .*scalar_rgb",
+    ),
+    "not XML": (
+        lambda t: ["convert", write(t / "a.xml", "<scene"), f"{t}/b.xml"],
+        "(?s)Mitsuba cannot read '.*a.xml'",
+    ),
+    "no mesh": (lambda t: ["compare", scene(t, SPHERE, MESH)], "(?s)cannot load '.*a.xml'.*x.obj"),
+    "no light": (
+        lambda t: ["compare", scene(t, '<emitter type="constant"/>')],
+        'has no sphere light: no <shape type="sphere"> with an area emitter',
+    ),
+    "no sphere": (
+        lambda t: ["convert", scene(t, CUBE), f"{t}/b.xml"],
+        r"(?s)that could be a spherecap:\n  .*a.xml \(line \d+, col \d+\): its shape is a 'cube'",
+    ),
+    "nothing to do": (
+        lambda t: ["convert", scene(t, SPHERE.replace("area", "spherecap")), f"{t}/b.xml"],
+        "are spherecaps already",
+    ),
+    "result exists": (
+        lambda t: ["convert", scene(t, SPHERE), write(t / "b.xml", "mine")],
+        "b.xml' exists: remove it, or choose another name",
+    ),
+    "result in no folder": (
+        lambda t: ["convert", scene(t, SPHERE), f"{t}/no/b.xml"],
+        "b.xml' cannot be written: No such file or directory",
+    ),
+    "output exists": (
+        lambda t: ["compare", scene(t, SPHERE), "--output", str(t)],
+        "exists: remove it, or choose another folder with --output",
+    ),
+    "black": (
+        lambda t: ["compare", scene(t, BELOW), "--reference", "1", "--spp", "1", "--output", f"{t}/o"],
+        "renders black",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_mistakes_are_explained(name: str, tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """In a sentence; and nothing is written, or lost."""
+    arguments, message = MISTAKES[name]
+    words = arguments(tmp_path)
+    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    assert main(words) == 1
+    last = capsys.readouterr().err.split("spherecap: ", 1)[1]
+    assert re.search(message, last), last
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["compare", "a.xml", "--spp", "0"], "'0' is not a sample count"),
+        (["compare", "a.xml", "--spp", "many"], "'many' is not a sample count"),
+        (["convert", "a.xml", "b.xml", "-D", "lamp"], "'lamp' is not of the form NAME=VALUE"),
+        ([], "required: command"),
+    ],
+)
+def test_wrong_words_are_explained(words: list[str], message: str, capsys: pytest.CaptureFixture) -> None:
+    """By the parser of the command line."""
+    with pytest.raises(SystemExit) as stop:
+        main(words)
+    assert stop.value.code == 2
+    assert message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["info", "compare"])
+def test_another_mitsuba_is_one_sentence(command: str) -> None:
+    """And `info` says what it can."""
+    words = [command] + (["scene.xml"] if command == "compare" else [])
+    program = (
+        "import mitsuba; mitsuba.__version__ = '3.8.0'\n"
+        f"import sys; from spherecap_command.__main__ import main; sys.exit(main({words}))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, "PYTHONPATH": str(REPOSITORY / "mitsuba_plugin")},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert re.fullmatch(
+        r"spherecap: The spherecap plugin was built for Mitsuba [\d.]+, but this is Mitsuba 3\.8\.0: .*\n",
+        done.stderr,
+    )
+    assert ("processor: " in done.stdout) == (command == "info")
