@@ -6,6 +6,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 PLUGIN := mitsuba_plugin/spherecap/plugins/spherecap.so
 LIBRARY := target/release/libspherecap.a
+SHARED := target/release/libspherecap.so
 CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h examples/*.c)
 
 # `make demo SCENE=cut_light VARIANT=scalar_rgb SPP=16`
@@ -13,8 +14,17 @@ SCENE ?= cut_light
 VARIANT ?= scalar_rgb
 SPP ?= 16
 
+# `make install PREFIX=$HOME/.local`; DESTDIR is put before every path, for packagers.
+PREFIX ?= /usr/local
+VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+ABI := $(shell sed -n 's/^#define SPHERECAP_ABI //p' include/spherecap.h)
+INSTALLED := include/spherecap.h lib/libspherecap.a lib/libspherecap.so.$(VERSION) lib/libspherecap.so.$(ABI) \
+    lib/libspherecap.so lib/pkgconfig/spherecap.pc lib/cmake/spherecap/spherecapConfig.cmake \
+    lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
+
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-rust test-python test-long lint format build header accuracy bench instructions fits picture clean FORCE
+.PHONY: help demo test test-rust test-python test-long lint format build library install uninstall header accuracy bench instructions fits \
+    picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -58,6 +68,28 @@ $(VENV)/installed: requirements.txt
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
 	touch $@
+
+library: $(LIBRARY) $(SHARED) ## The C library alone, static and shared.
+
+# Programs ask the loader for the ABI's number, which changes when they have to be compiled again.
+$(SHARED): FORCE
+	cargo rustc --release --locked --lib --crate-type cdylib -- -C strip=symbols -C link-arg=-Wl,-soname,libspherecap.so.$(ABI)
+
+install: library ## Install the C library below PREFIX (/usr/local), with pkg-config file and CMake package.
+	install -d $(foreach file,$(INSTALLED),"$(DESTDIR)$(PREFIX)/$(dir $(file))")
+	install -m 644 include/spherecap.h "$(DESTDIR)$(PREFIX)/include"
+	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib"
+	install -m 755 $(SHARED) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so.$(VERSION)"
+	ln -sf libspherecap.so.$(VERSION) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so.$(ABI)"
+	ln -sf libspherecap.so.$(ABI) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so"
+	install -m 644 mitsuba_plugin/cmake/FindMitsubaWheel.cmake "$(DESTDIR)$(PREFIX)/share/spherecap/cmake"
+	for file in pkgconfig/spherecap.pc cmake/spherecap/spherecapConfig.cmake cmake/spherecap/spherecapConfigVersion.cmake; do \
+	    sed 's/@VERSION@/$(VERSION)/; s/@ABI@/$(ABI)/' packaging/$${file##*/}.in > "$(DESTDIR)$(PREFIX)/lib/$$file" || exit 1; \
+	done
+
+uninstall: ## Remove what `make install` installed.
+	rm -f $(foreach file,$(INSTALLED),"$(DESTDIR)$(PREFIX)/$(file)")
+	-rmdir "$(DESTDIR)$(PREFIX)/lib/cmake/spherecap" "$(DESTDIR)$(PREFIX)/share/spherecap/cmake" "$(DESTDIR)$(PREFIX)/share/spherecap"
 
 header: ## Remake include/spherecap.h from src/ffi*.rs.
 	SPHERECAP_WRITE_HEADER=1 cargo test --release --locked --test header

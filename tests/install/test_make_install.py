@@ -1,0 +1,216 @@
+"""`make install`, and what it installs, consumed as a C, a C++ and a Mitsuba plugin author would."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import tomllib
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+TOOLS = Path(sys.executable).parent  # cmake, ninja and pkg-config are in the same environment
+VERSION = tomllib.loads((REPOSITORY / "Cargo.toml").read_text())["package"]["version"]
+HEADER = (REPOSITORY / "include/spherecap.h").read_text()
+ABI = re.search(r"^#define SPHERECAP_ABI (\d+)$", HEADER, re.MULTILINE)[1]
+SONAME = f"libspherecap.so.{ABI}"
+CC = os.environ.get("CC", "cc")
+
+# The same for C99 and C++17: what a first program does.
+PROGRAM = """
+#include <spherecap.h>
+#include <stdio.h>
+
+int main(void) {
+    const float normal[3] = {0, 0, 1}, centre[3] = {0, 0, 2};
+    spherecap_cap_t cap;
+    float irradiance = 0;
+    uint32_t status = spherecap_prepare(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0,
+                                        normal, centre, 1, &cap);
+    if (status == SPHERECAP_STATUS_OK)
+        status = spherecap_projected_solid_angle(&cap, &irradiance);
+    printf("%s %u %.5f\\n", spherecap_version(), spherecap_abi_version(), irradiance);
+    return (int)status;
+}
+"""
+# Radius over distance is 1/2, so the irradiance is pi / 4.
+PRINTED = f"{VERSION} {ABI} 0.78540\n"
+
+
+def run(*command: object, folder: Path, **variables: str) -> str:
+    """Run a command and return what it printed."""
+    environment = {**os.environ, "PATH": f"{TOOLS}{os.pathsep}{os.environ['PATH']}", **variables}
+    words = [str(word) for word in command]
+    done = subprocess.run(words, env=environment, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{' '.join(words)}\n{done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def make(target: str, *settings: str) -> str:
+    """Run make in the repository."""
+    return run("make", target, *settings, folder=REPOSITORY)
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Install once."""
+    folder = tmp_path_factory.mktemp("prefix")
+    make("install", f"PREFIX={folder}")
+    return folder
+
+
+@pytest.fixture
+def sources(tmp_path: Path) -> Path:
+    """Return a folder with the program in both languages."""
+    (tmp_path / "program.c").write_text(PROGRAM)
+    (tmp_path / "program.cpp").write_text(PROGRAM)
+    return tmp_path
+
+
+def pkg_config(prefix: Path, *words: str) -> list[str]:
+    """Ask pkg-config, which has to be installed."""
+    program = TOOLS / "pkg-config"
+    assert program.exists(), f"there is no {program}: install what requirements.txt lists"
+    path = str(prefix / "lib/pkgconfig")
+    return run(program, *words, "spherecap", folder=prefix, PKG_CONFIG_PATH=path).split()
+
+
+@pytest.mark.parametrize(("compiler", "standard", "source"), [
+    (CC, "-std=c99", "program.c"), (os.environ.get("CXX", "c++"), "-std=c++17", "program.cpp")
+])  # fmt: skip
+@pytest.mark.parametrize("linkage", ["shared", "static"])
+def test_pkg_config(
+    prefix: Path, sources: Path, compiler: str, standard: str, source: str, linkage: str
+) -> None:
+    """As on the page on the C library."""
+    extra = ["-static"] if linkage == "static" else []
+    flags = pkg_config(prefix, "--cflags", "--libs", *["--static" for _ in extra])
+    warnings = ("-pedantic", "-Wall", "-Wextra", "-Werror")
+    run(compiler, standard, *warnings, *extra, source, *flags, "-o", "program", folder=sources)
+    needed = re.findall(r"NEEDED.*\[(.*)\]", run("readelf", "-d", "program", folder=sources))
+    assert (SONAME in needed) == (linkage == "shared"), needed
+    path = str(prefix / "lib") if linkage == "shared" else ""
+    assert run(sources / "program", folder=sources, LD_LIBRARY_PATH=path) == PRINTED
+
+
+def test_pkg_config_knows_the_version(prefix: Path) -> None:
+    """For those who ask for one."""
+    assert pkg_config(prefix, "--modversion") == [VERSION]
+
+
+def test_cmake(prefix: Path, sources: Path) -> None:
+    """All three targets, in both languages, from an installation that was moved to a path with a space."""
+    moved = sources / "moved here"
+    run("cp", "-a", prefix, moved, folder=sources)
+    major, minor, _ = VERSION.split(".")
+    (sources / "CMakeLists.txt").write_text(
+        f"""cmake_minimum_required(VERSION 3.24)
+project(consumer LANGUAGES C CXX)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_CXX_STANDARD 17)
+find_package(spherecap {major}.{minor} REQUIRED)
+foreach(target spherecap static shared)
+    add_executable(c_${{target}} program.c)
+    add_executable(cpp_${{target}} program.cpp)
+    target_link_libraries(c_${{target}} PRIVATE spherecap::${{target}})
+    target_link_libraries(cpp_${{target}} PRIVATE spherecap::${{target}})
+endforeach()
+"""
+    )
+    for shared in ("OFF", "ON"):
+        build = sources / f"build {shared}"
+        settings = (f"-DCMAKE_PREFIX_PATH={moved}", f"-DBUILD_SHARED_LIBS={shared}")
+        run("cmake", "-G", "Ninja", "-S", sources, "-B", build, *settings, folder=sources)
+        run("cmake", "--build", build, folder=sources)
+        linked_shared = set()
+        for language in ("c", "cpp"):
+            for target in ("spherecap", "static", "shared"):
+                program = build / f"{language}_{target}"
+                assert run(program, folder=sources) == PRINTED
+                if SONAME in run("readelf", "-d", program, folder=sources):
+                    linked_shared.add(target)
+        assert linked_shared == ({"shared", "spherecap"} if shared == "ON" else {"shared"})
+
+
+@pytest.mark.parametrize("wanted", ["99.0", "0.0.1", "0.99"])
+def test_cmake_refuses_another_version(prefix: Path, tmp_path: Path, wanted: str) -> None:
+    """The minor version must be the same."""
+    (tmp_path / "CMakeLists.txt").write_text(
+        f"cmake_minimum_required(VERSION 3.24)\nproject(x NONE)\nfind_package(spherecap {wanted})\n"
+        'if(spherecap_FOUND OR NOT "${spherecap_CONSIDERED_VERSIONS}" STREQUAL "' + VERSION + '")\n'
+        '    message(FATAL_ERROR "found")\nendif()\n'
+    )
+    run("cmake", "-S", ".", "-B", "b", f"-DCMAKE_PREFIX_PATH={prefix}", folder=tmp_path)
+
+
+def test_the_shared_library_exports_the_header_and_nothing_else(prefix: Path) -> None:
+    """And has its name, and links that lead to it."""
+    library = prefix / "lib/libspherecap.so"
+    assert os.readlink(library) == SONAME
+    assert os.readlink(prefix / "lib/libspherecap.so.1") == f"libspherecap.so.{VERSION}"
+    assert f"soname: [{SONAME}]" in run("readelf", "-d", library, folder=prefix)
+    symbols = [
+        line.split() for line in run("readelf", "-W", "--dyn-syms", library, folder=prefix).splitlines()
+    ]
+    exported = {s[7] for s in symbols if len(s) >= 8 and s[4] in ("GLOBAL", "WEAK") and s[6] != "UND"}
+    declared = set(re.findall(r"^\w[\w ]*\*?\b(spherecap_\w+)\(", HEADER, re.MULTILINE))
+    assert len(declared) >= 14
+    assert exported == declared
+
+
+def test_uninstall_leaves_nothing_but_what_was_there(tmp_path: Path) -> None:
+    """Staged in a folder with a space, as packagers do, beside somebody else's files."""
+    stage = tmp_path / "a stage"
+    other = stage / "usr/lib/pkgconfig/other.pc"
+    other.parent.mkdir(parents=True)
+    other.touch()
+    make("install", f"DESTDIR={stage}", "PREFIX=/usr")
+    installed = {path.relative_to(stage).as_posix() for path in stage.rglob("*") if not path.is_dir()}
+    assert len(installed) == 1 + 9, installed
+    for path in stage.rglob("*"):
+        if path.is_file() and path.suffix in (".pc", ".cmake"):
+            assert str(stage) not in path.read_text()
+            assert not re.search(r"@\w+@", path.read_text())
+    make("uninstall", f"DESTDIR={stage}", "PREFIX=/usr")
+    assert [path for path in stage.rglob("*") if not path.is_dir()] == [other]
+    assert not list(stage.rglob("*spherecap*"))
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    """Return the blocks of code of a page in a language."""
+    return re.findall(rf"```{language}\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+
+
+def test_a_plugin_by_somebody_else(prefix: Path, tmp_path: Path) -> None:
+    """What docs/mitsuba_plugins.md shows, with nothing of this repository but the installed module."""
+    page = REPOSITORY / "docs/mitsuba_plugins.md"
+    folder = tmp_path / "a plugin"
+    folder.mkdir()
+    (folder / "CMakeLists.txt").write_text(blocks(page, "cmake")[0])
+    (folder / "stripes.cpp").write_text(blocks(page, "cpp")[0])
+    module = prefix / "share/spherecap/cmake/FindMitsubaWheel.cmake"
+    (folder / module.name).write_bytes(module.read_bytes())
+    install, build = blocks(page, "sh")
+    pins = (REPOSITORY / "requirements.txt").read_text().split()
+    for package in install.split()[2:]:
+        assert package in pins, "the page names the versions that are tested"
+    run("sh", "-ec", build, folder=folder, CMAKE_GENERATOR="Ninja", CMAKE_BUILD_PARALLEL_LEVEL="2")
+    program = (
+        blocks(page, "python")[0]
+        + """
+for variant in ("scalar_rgb", "llvm_ad_spectral"):
+    mi.set_variant(variant)
+    texture = mi.load_dict({"type": "stripes", "count": 8.0})
+    si = mi.SurfaceInteraction3f()
+    for x, expected in ((0.01, 1), (0.07, 0), (0.13, 1)):
+        si.uv = mi.Point2f(x, 0)
+        assert float(texture.eval_1(si).array[0] if "llvm" in variant else texture.eval_1(si)) == expected
+"""
+    )
+    # The package tells Dr.Jit where LLVM is.
+    llvm = {"PYTHONPATH": str(REPOSITORY / "mitsuba_plugin")}
+    run(sys.executable, "-c", "import spherecap\n" + program, folder=folder, **llvm)
+    symbols = run("readelf", "-W", "--dyn-syms", "plugins/stripes.so", folder=folder).splitlines()
+    exported = [s for s in map(str.split, symbols) if len(s) >= 8 and s[4] == "GLOBAL" and s[6] != "UND"]
+    assert [s[7] for s in exported] == ["init_plugin"]
