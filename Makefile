@@ -17,14 +17,15 @@ SPP ?= 16
 # `make install PREFIX=$HOME/.local`; DESTDIR is put before every path, for packagers.
 PREFIX ?= /usr/local
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+MSRV := $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 ABI := $(shell sed -n 's/^#define SPHERECAP_ABI //p' include/spherecap.h)
 INSTALLED := include/spherecap.h lib/libspherecap.a lib/libspherecap.so.$(VERSION) lib/libspherecap.so.$(ABI) \
     lib/libspherecap.so lib/pkgconfig/spherecap.pc lib/cmake/spherecap/spherecapConfig.cmake \
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-rust test-python test-long lint format build library install uninstall header accuracy bench instructions fits \
-    picture clean FORCE
+.PHONY: help demo test test-rust test-python test-long lint format build library install uninstall package msrv header accuracy \
+    bench instructions fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -32,7 +33,7 @@ help: ## List the targets.
 demo: build ## Render SCENE with `area` and with `spherecap`; print a table, save a picture below out/.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene $(SCENE) --variant $(VARIANT) --spp $(SPP)
 
-test: lint test-rust test-python ## Run all tests.
+test: lint test-rust package test-python ## Run all tests.
 
 test-rust: ## The library and its C ABI.
 	cargo test --release --locked -- --show-output
@@ -90,6 +91,13 @@ install: library ## Install the C library below PREFIX (/usr/local), with pkg-co
 uninstall: ## Remove what `make install` installed.
 	rm -f $(foreach file,$(INSTALLED),"$(DESTDIR)$(PREFIX)/$(file)")
 	-rmdir "$(DESTDIR)$(PREFIX)/lib/cmake/spherecap" "$(DESTDIR)$(PREFIX)/share/spherecap/cmake" "$(DESTDIR)$(PREFIX)/share/spherecap"
+
+package: ## Is the crate complete as it would be published?
+	cargo package --locked --allow-dirty
+
+msrv: ## Compile the library with the oldest Rust that Cargo.toml promises; needs rustup, which fetches it.
+	rustup toolchain install $(MSRV) --profile minimal
+	cargo +$(MSRV) check --locked --lib --target-dir target/msrv
 
 header: ## Remake include/spherecap.h from src/ffi*.rs.
 	SPHERECAP_WRITE_HEADER=1 cargo test --release --locked --test header

@@ -33,6 +33,17 @@ use core::f64::consts::PI;
 ///
 /// Lanes where the point is inside the sphere, where nothing is above the horizon, or where the sphere looks smaller than
 /// this precision can weigh, have the areas 0.
+///
+/// ```
+/// use spherecap::{Cap, Vec3};
+///
+/// // A sphere of radius 1 that stands on the horizon, at a distance of 2.
+/// let cap = Cap::<f64>::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(2.0, 0.0, 0.0), 1.0);
+/// assert_eq!([cap.distance(), cap.radius_sin(), cap.elevation_sin()], [2.0, 0.5, 0.0]);
+/// assert!(!cap.is_inside());
+/// // Half of it is above the horizon, which says nothing about its projection.
+/// assert!(cap.projected_solid_angle() < 0.5 * cap.solid_angle());
+/// ```
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Cap<L> {
@@ -106,6 +117,12 @@ impl<L: Lane> Cap<L> {
     ///
     /// The normal must be of unit length to single precision, or exactly zero for a point that is on no surface. It is used
     /// as it stands: a cosine is a dot product with it. Total: lanes with other input give a cap with areas 0 or NaN.
+    ///
+    /// ```
+    /// # use spherecap::{Cap, Vec3};
+    /// let (up, below) = (Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, -2.0));
+    /// assert_eq!(Cap::<f32>::new(up, below, 1.0).projected_solid_angle(), 0.0);
+    /// ```
     #[inline(always)]
     pub fn new(normal: Vec3<L>, centre: Vec3<L>, radius: L) -> Self {
         let size = (centre.x.abs() + centre.y.abs()) + (centre.z.abs() + radius);
@@ -222,12 +239,28 @@ impl<L: Lane> Cap<L> {
 
     /// Solid angle of the whole cap, the part below the horizon included, in steradians, in (0, 2 pi] (to
     /// rounding). 0 for a point inside the sphere.
+    ///
+    /// ```
+    /// # use spherecap::{Cap, Vec3};
+    /// # use std::f64::consts::PI;
+    /// let cap = Cap::<f64>::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, 5.0), 3.0);
+    /// let cosine = 0.8; // of its angular radius, whose sine is 3/5
+    /// assert!((cap.solid_angle() - 2.0 * PI * (1.0 - cosine)).abs() < 1e-14);
+    /// ```
     #[inline(always)]
     pub fn solid_angle(&self) -> L {
         self.solid_angle
     }
 
     /// Projected solid angle of the cap above the horizon, in steradians, in [0, pi] (to rounding).
+    ///
+    /// ```
+    /// # use spherecap::{Cap, Vec3};
+    /// # use std::f64::consts::PI;
+    /// // At the zenith: a disk of radius s = 3/5.
+    /// let cap = Cap::<f64>::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, 5.0), 3.0);
+    /// assert!((cap.projected_solid_angle() - 0.36 * PI).abs() < 1e-14);
+    /// ```
     #[inline(always)]
     pub fn projected_solid_angle(&self) -> L {
         self.projected_above

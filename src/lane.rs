@@ -19,6 +19,15 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub struct Lit(pub f64);
 
 /// Makes a literal. In single precision it is rounded to nearest once, when it meets a lane.
+///
+/// ```
+/// use spherecap::{lit, Lane};
+///
+/// fn one_minus<L: Lane>(x: L) -> L {
+///     lit(1.0) - x
+/// }
+/// assert_eq!((one_minus(0.25_f32), one_minus(0.25_f64)), (0.75, 0.75));
+/// ```
 #[inline(always)]
 pub const fn lit(value: f64) -> Lit {
     Lit(value)
@@ -70,6 +79,17 @@ impl<M, T: Blend<M>> Blend<M> for Only<T> {
 }
 
 /// An arithmetic type that the kernels run on; see the module's text for its rules.
+///
+/// ```
+/// use spherecap::{Lane, Mask};
+///
+/// fn softplus_bound<L: Lane>(x: L) -> L {
+///     let positive = L::lit(0.0).lt(x);
+///     assert!(positive.any() || !positive.all());
+///     L::select(positive, x.fma(L::lit(1.0), L::lit(0.7)), L::lit(0.7))
+/// }
+/// assert_eq!([softplus_bound(-1.0_f64), softplus_bound(1.0)], [0.7, 1.7]);
+/// ```
 pub trait Lane:
     Copy
     + Blend<Self::Mask>

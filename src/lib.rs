@@ -28,6 +28,12 @@
 //! [`batch`] the one for arrays of points; [`Cap::new`] and [`Sampler::new`] are total functions of any lane. The C ABI is
 //! `include/spherecap.h`.
 //!
+//! # Features and dependencies
+//!
+//! The crate has no Cargo features: instructions that the processor has are found when the program runs, and a program that
+//! uses only the Rust API links nothing of the C ABI. It needs `std` (for that detection), the crate `glam` for vectors at its
+//! boundary, and `libc` for the types of the C ABI.
+//!
 //! After C. Peters and C. Dachsbacher, "Sampling Projected Spherical Caps in Real Time", Proc. ACM Comput. Graph. Interact. Tech.
 //! 2(1), 2019, with a uniform technique where theirs is not, and numerics that hold in single precision.
 

@@ -6,6 +6,17 @@ use crate::vec3::Vec3;
 
 /// A direction in the cap's own frame. Its components keep their relative precision where those of a unit vector drown:
 /// in small caps and near the horizon.
+///
+/// ```
+/// use spherecap::{Sampler, Strategy};
+///
+/// // A light as small as a millionth of its distance: a unit vector in single precision has only some twenty directions
+/// // across it, an offset has them all.
+/// let sampler = Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [3.0, 0.0, 4.0], 5e-6)?;
+/// let [a, b] = [0.5, 0.500001].map(|u| sampler.sample(0.25, u).offset);
+/// assert!(a != b && a.side.abs() <= 1e-6);
+/// # Ok::<(), spherecap::Refusal>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Offset<L> {

@@ -10,9 +10,26 @@ use core::{ffi::CStr, fmt};
 
 /// How far the length of a unit vector may be from 1: interpolated and transformed normals are that good, forgotten
 /// normalisations are not.
+///
+/// ```
+/// use spherecap::{Refusal, Sampler, Strategy, UNIT_TOLERANCE};
+///
+/// let prepare = |z| Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, z], [0.0, 0.0, 2.0], 1.0);
+/// assert!(prepare(1.0 + 0.9 * UNIT_TOLERANCE).is_ok());
+/// assert_eq!(prepare(1.0 + 1.1 * UNIT_TOLERANCE).err(), Some(Refusal::Normal));
+/// ```
 pub const UNIT_TOLERANCE: f64 = 1e-3;
 
 /// Why there is nothing to sample.
+///
+/// ```
+/// use spherecap::{Refusal, Sampler, Strategy};
+///
+/// let light_at = |z| Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [0.0, 0.0, z], 1.0);
+/// assert_eq!(light_at(-2.0).err(), Some(Refusal::Invisible));
+/// assert_eq!(light_at(0.5).err(), Some(Refusal::Inside));
+/// assert!(light_at(f32::NAN).err().unwrap().to_string().contains("finite"));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Refusal {
     /// Valid input, but the sphere is not above the horizon (or looks too small for this precision): it lights nothing.
@@ -56,6 +73,20 @@ impl fmt::Display for Refusal {
 impl std::error::Error for Refusal {}
 
 /// The scalar lanes.
+///
+/// ```
+/// use spherecap::{Sampler, Scalar, Strategy};
+///
+/// fn irradiance<F: Scalar>(height: f64) -> F {
+///     let lit = F::lit;
+///     let [normal, centre] = [lit(1.0), lit(height)].map(|z| [lit(0.0), lit(0.0), z]);
+///     match Sampler::prepare(Strategy::default(), normal, centre, lit(1.0)) {
+///         Ok(sampler) => sampler.cap().projected_solid_angle(),
+///         Err(_) => lit(0.0),
+///     }
+/// }
+/// assert!((irradiance::<f64>(2.0) - f64::from(irradiance::<f32>(2.0))).abs() < 1e-6);
+/// ```
 pub trait Scalar: Lane<Mask = bool> + PartialOrd + Into<f64> + fmt::Debug {}
 impl Scalar for f32 {}
 impl Scalar for f64 {}
@@ -107,6 +138,15 @@ impl<F: Scalar> Sampler<F> {
     ///
     /// # Errors
     /// A [`Refusal`], also for valid input with nothing to sample.
+    ///
+    /// ```
+    /// use spherecap::{Hemispheres, Sampler, Strategy, Technique};
+    ///
+    /// let strategy = Strategy { technique: Technique::Projected, hemispheres: Hemispheres::Both, defensive: 0.125 };
+    /// let sampler = Sampler::<f32>::prepare(strategy, [0.0, 0.0, 1.0], [3.0, 0.0, -0.5], 1.0)?;
+    /// assert!(sampler.sample(0.5, 0.5).density.solid_angle > 0.0);
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
     #[inline(always)]
     pub fn prepare(
         strategy: Strategy<F>,

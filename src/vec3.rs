@@ -4,6 +4,14 @@ use crate::lane::{Blend, Lane};
 use core::ops::Mul;
 
 /// A vector of three lanes, laid out as `[x, y, z]`.
+///
+/// ```
+/// use spherecap::Vec3;
+///
+/// let v: Vec3<f32> = [1.0, 2.0, 3.0].into();
+/// assert_eq!(v.dot(Vec3::new(0.0, 0.0, 1.0)), 3.0);
+/// assert_eq!(<[f32; 3]>::from(v), [1.0, 2.0, 3.0]);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Vec3<L> {
@@ -32,6 +40,12 @@ impl<L: Lane> Vec3<L> {
 
     /// Vector product, each component to within 1.5 units in its last place (Kahan's difference of products), so
     /// that the product of nearly parallel vectors keeps its direction.
+    ///
+    /// ```
+    /// # use spherecap::Vec3;
+    /// let [x, y] = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0)];
+    /// assert_eq!(x.cross(y), Vec3::new(0.0_f64, 0.0, 1.0));
+    /// ```
     #[inline(always)]
     pub fn cross(self, other: Self) -> Self {
         Self::new(

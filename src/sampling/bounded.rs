@@ -131,6 +131,13 @@ pub(super) fn density_bound<L: Lane>(cap: &Cap<L>) -> L {
 ///
 /// The bound of the caps with one s, `(X v + s |Z|) X/v sqrt(1 + kappa v / X)`, is sqrt 2 as they set (`kappa -> 1`) and has
 /// at most one maximum before (checked on a dense grid in the tests): a golden-section search finds the larger.
+///
+/// ```
+/// use spherecap::density_bound_for_radius;
+///
+/// assert!((density_bound_for_radius(0.5) - 2.0_f64.sqrt()).abs() < 1e-12);
+/// assert!(density_bound_for_radius(1.0 / 1.094) < 2.0);
+/// ```
 pub fn density_bound_for_radius(s: f64) -> f64 {
     let v = ((1.0 - s) * (1.0 + s)).sqrt();
     let bound = |kappa: f64| {

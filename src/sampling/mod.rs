@@ -29,6 +29,21 @@ use crescent::Slice;
 pub use bounded::density_bound_for_radius;
 
 /// How directions are distributed.
+///
+/// ```
+/// use spherecap::{Sampler, Strategy, Technique};
+///
+/// // How much the weights of a diffuse surface's samples can differ where the horizon cuts a light.
+/// let bound = |technique| {
+///     let strategy = Strategy { technique, ..Strategy::default() };
+///     let sampler = Sampler::<f64>::prepare(strategy, [0.0, 0.0, 1.0], [2.0, 0.0, -0.5], 1.0);
+///     sampler.map(|sampler| sampler.density_bound())
+/// };
+/// assert_eq!(bound(Technique::SolidAngle)?, f64::INFINITY);
+/// assert!(bound(Technique::ProjectedBounded)? < 2.0);
+/// assert_eq!(bound(Technique::Projected)?, 1.0);
+/// # Ok::<(), spherecap::Refusal>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum Technique {
@@ -42,6 +57,18 @@ pub enum Technique {
 }
 
 /// Which sides of the surface the projected techniques cover.
+///
+/// ```
+/// use spherecap::{Hemispheres, Sampler, Strategy};
+///
+/// let goes_below = |hemispheres| {
+///     let strategy = Strategy { hemispheres, ..Strategy::default() };
+///     let sampler = Sampler::<f32>::prepare(strategy, [0.0, 0.0, 1.0], [2.0, 0.0, 0.1], 1.0);
+///     sampler.map(|sampler| (0..8).any(|i| sampler.sample(i as f32 / 8.0, 0.5).offset.cosine < 0.0))
+/// };
+/// assert_eq!([goes_below(Hemispheres::Front)?, goes_below(Hemispheres::Both)?], [false, true]);
+/// # Ok::<(), spherecap::Refusal>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum Hemispheres {
@@ -53,6 +80,14 @@ pub enum Hemispheres {
 }
 
 /// What a cap is sampled with.
+///
+/// ```
+/// use spherecap::{Strategy, Technique};
+///
+/// // For shading normals that differ from geometric ones: every weight is at most 8 times that of plain solid angles.
+/// let strategy = Strategy { defensive: 0.125_f32, ..Strategy::default() };
+/// assert_eq!(strategy.technique, Technique::Projected);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strategy<L> {
     /// How directions are distributed.
@@ -71,6 +106,15 @@ impl<L: Lane> Default for Strategy<L> {
 }
 
 /// A probability density in two measures.
+///
+/// ```
+/// # use spherecap::{Sampler, Strategy};
+/// let sampler = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 0.0, 0.5], 1.0)?;
+/// let sample = sampler.sample(0.3, 0.6);
+/// let quotient = sample.density.solid_angle / sample.density.projected_solid_angle;
+/// assert!((quotient - sample.offset.cosine).abs() < 1e-14);
+/// # Ok::<(), spherecap::Refusal>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Density<L> {
@@ -81,6 +125,17 @@ pub struct Density<L> {
 }
 
 /// A sampled direction and where it meets the sphere.
+///
+/// ```
+/// # use spherecap::{Sampler, Strategy};
+/// let (centre, radius) = ([2.0, 0.0, 0.5], 1.0);
+/// let sample = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], centre, radius)?.sample(0.3, 0.6);
+/// // The point on the light, in two ways.
+/// let along_the_ray = sample.direction.x * sample.distance;
+/// let on_the_sphere = centre[0] + radius * sample.normal.x;
+/// assert!((along_the_ray - on_the_sphere).abs() < 1e-14);
+/// # Ok::<(), spherecap::Refusal>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Sample<L> {
@@ -97,6 +152,19 @@ pub struct Sample<L> {
 }
 
 /// A cap prepared for sampling with one [`Strategy`]. Plain data.
+///
+/// ```
+/// use spherecap::{Sampler, Strategy};
+///
+/// let sampler = Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 1.0, 0.5], 1.0)?;
+/// // Every sample estimates the same irradiance: there is no noise.
+/// for i in 0..4 {
+///     let sample = sampler.sample(0.25 * i as f32 + 0.1, 0.3);
+///     let irradiance = sample.offset.cosine / sample.density.solid_angle;
+///     assert!((irradiance / sampler.cap().projected_solid_angle() - 1.0).abs() < 1e-5);
+/// }
+/// # Ok::<(), spherecap::Refusal>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Sampler<L> {
@@ -118,6 +186,14 @@ pub struct Sampler<L> {
 
 impl<L: Lane> Sampler<L> {
     /// Prepares a cap for sampling.
+    ///
+    /// ```
+    /// # use spherecap::{Cap, Sampler, Strategy, Vec3};
+    /// // Total: where there is nothing to sample, it says so.
+    /// let cap = Cap::<f32>::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, -2.0), 1.0);
+    /// let sampler = Sampler::new(cap, Strategy::default());
+    /// assert!(sampler.is_empty());
+    /// ```
     #[inline(always)]
     pub fn new(cap: Cap<L>, strategy: Strategy<L>) -> Self {
         let Strategy { technique, hemispheres, defensive } = strategy;
@@ -288,6 +364,16 @@ impl<L: Lane> Sampler<L> {
 
     /// Density of the direction with this offset; zero outside the cap, and where the strategy samples nothing. For an
     /// offset that [`Sampler::sample`] returned: the very bits it returned as density.
+    ///
+    /// ```
+    /// # use spherecap::{Sampler, Strategy};
+    /// let sampler = Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 1.0, 0.5], 1.0)?;
+    /// let sample = sampler.sample(0.3, 0.6);
+    /// assert_eq!(sampler.pdf(sample.offset), sample.density);
+    /// // A direction from elsewhere: from a BSDF, say.
+    /// assert_eq!(sampler.pdf(sampler.offset([0.0, 0.0, 1.0].into())).solid_angle, 0.0);
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
     #[inline(always)]
     pub fn pdf(&self, offset: Offset<L>) -> Density<L> {
         let Density { solid_angle, projected_solid_angle } = self.pdf_on_sphere(offset);
@@ -298,6 +384,15 @@ impl<L: Lane> Sampler<L> {
 
     /// As [`Sampler::pdf`], for an offset that is known to lie in the cap: only the horizon is tested, so that a
     /// direction towards a point of the sphere does not lose its density to rounding.
+    ///
+    /// ```
+    /// # use spherecap::{Sampler, Strategy};
+    /// # let sampler = Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 1.0, 0.5], 1.0)?;
+    /// // For multiple importance sampling: a ray has hit the light in this direction.
+    /// let direction = sampler.sample(0.0, 0.5).direction;
+    /// assert!(sampler.pdf_on_sphere(sampler.offset(direction)).solid_angle > 0.0);
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
     #[inline(always)]
     pub fn pdf_on_sphere(&self, offset: Offset<L>) -> Density<L> {
         let zero = L::lit(0.0);
@@ -368,6 +463,14 @@ impl<L: Lane> Sampler<L> {
     /// To 84 epsilon (1e-5 in f32) but for what three numbers of this precision cannot tell: at the ends of u0 where the
     /// centre's side is sampled, chords get short, and u1 is a ratio of lengths; where the horizon leaves little of the
     /// ellipse (small Z/s), and on spheres nearly touched (`v` and `|Z|` both small). `tests/properties.rs` has the bound.
+    ///
+    /// ```
+    /// # use spherecap::{Sampler, Strategy};
+    /// let sampler = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 1.0, 0.5], 1.0)?;
+    /// let [u0, u1] = sampler.invert(sampler.sample(0.3, 0.6).offset);
+    /// assert!((u0 - 0.3).abs() < 1e-12 && (u1 - 0.6).abs() < 1e-12);
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
     #[inline(always)]
     pub fn invert(&self, offset: Offset<L>) -> [L; 2] {
         let zero = L::lit(0.0);
