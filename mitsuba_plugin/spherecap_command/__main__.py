@@ -180,6 +180,7 @@ def _info() -> int:
     if spherecap is None:
         raise UserError(UNUSABLE)
     print(f"plugin: {spherecap.PLUGIN}, built for Mitsuba {spherecap.BUILT_FOR}")
+    print(f"for the mitsuba command: -a {spherecap.PLUGIN.parent.parent}")
     print("variants:")
     for variant, problem in info.usable_variants():
         print(f"  {variant:<32} {problem or 'works'}")

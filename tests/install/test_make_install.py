@@ -182,6 +182,23 @@ def blocks(page: Path, language: str) -> list[str]:
     return re.findall(rf"```{language}\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
 
 
+def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
+    """Its program, compiled by its lines for pkg-config, and its list of what is installed."""
+    page = REPOSITORY / "docs/c.md"
+    (tmp_path / "program.c").write_text(blocks(page, "c")[0])
+    _, compile_lines = blocks(page, "sh")
+    path = str(prefix / "lib/pkgconfig")
+    for line in compile_lines.splitlines():
+        run("sh", "-ec", line, folder=tmp_path, PKG_CONFIG_PATH=path)
+        printed = run(tmp_path / "program", folder=tmp_path, LD_LIBRARY_PATH=str(prefix / "lib")).split()
+        assert len(printed) == 4
+        assert len(set(printed)) == 1, "no noise"
+    listed = re.findall(r"`((?:include|lib|share)/[\w./]+)`", page.read_text(encoding="utf-8"))
+    assert len(listed) >= 6
+    for name in listed:
+        assert (prefix / name).exists(), name
+
+
 def test_a_plugin_by_somebody_else(prefix: Path, tmp_path: Path) -> None:
     """What docs/mitsuba_plugins.md shows, with nothing of this repository but the installed module."""
     page = REPOSITORY / "docs/mitsuba_plugins.md"

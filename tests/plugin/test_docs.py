@@ -1,0 +1,141 @@
+"""What README and docs say is so: their examples run, their numbers and names are those of the code."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import mitsuba as mi
+import numpy as np
+import pytest
+import tomllib
+from spherecap_command.__main__ import _arguments as command_line
+
+REPOSITORY = Path(__file__).parents[2]
+README = REPOSITORY / "README.md"
+GUIDE = REPOSITORY / "docs/mitsuba.md"
+PAGES = sorted([*REPOSITORY.glob("*.md"), *(REPOSITORY / "docs").glob("*.md")])
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    """Return the blocks of code of a page in a language."""
+    return re.findall(rf"```{language}\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+
+
+@pytest.fixture(scope="module")
+def image_from_python() -> np.ndarray:
+    """Run the guide's Python example and return the image that it renders."""
+    names = {}
+    exec(blocks(GUIDE, "python")[0], names)
+    return np.array(names["image"])
+
+
+def test_the_python_example_renders(image_from_python: np.ndarray) -> None:
+    """The example renders a floor that is lit everywhere."""
+    assert image_from_python.shape == (48, 64, 3)
+    assert np.all(np.isfinite(image_from_python))
+    assert np.median(image_from_python) > 0
+
+
+def test_the_xml_example_is_the_same_scene(image_from_python: np.ndarray) -> None:
+    """Both examples show one scene: the same samples give the same image."""
+    mi.set_variant("scalar_rgb")
+    image = np.array(mi.render(mi.load_string(blocks(GUIDE, "xml")[0]), spp=4))
+    # Transformations are composed in another order of roundings.
+    np.testing.assert_allclose(image, image_from_python, rtol=1e-3, atol=1e-4)
+
+
+def test_the_readmes_light_is_one(scalar_rgb: None) -> None:
+    """The snippet is a shape of a scene."""
+    (light,) = blocks(README, "xml")
+    scene = mi.load_string(f'<scene version="3.0.0">{light}</scene>')
+    assert scene.emitters()[0].class_name() == "SphereCap"
+
+
+def test_the_guides_parameters_are_the_emitters(scalar_rgb: None) -> None:
+    """Each row of the table: the name is known, the default is what an emitter says that it has."""
+    row = r"^\| `(\w+)` \| (\w+) \| (.+?) \| (.*?) \|.*\|$"
+    rows = re.findall(row, GUIDE.read_text(encoding="utf-8"), re.MULTILINE)
+    defaults = {name: default.strip("`") for name, _, default, _ in rows}
+    expected = {"radiance": "1", "technique": "projected", "hemispheres": "auto", "defensive": "automatic"}
+    assert defaults == expected
+    text = str(mi.load_dict({"type": "sphere", "emitter": {"type": "spherecap"}}).emitter())
+    meanings = {name: meaning for name, _, _, meaning in rows}
+    automatic = re.search(r"else `([\d.]+)`", meanings["defensive"])[1]
+    # Before there is a scene, the automatic choices are the careful ones.
+    for line in (
+        "value=1.0",
+        "technique = projected,",
+        "hemispheres = both (auto)",
+        f"defensive = {automatic} (auto)",
+    ):
+        assert line in text
+    for name in ("technique", "hemispheres"):
+        for choice in re.findall("`(\\w+)`(?:, |; )", meanings[name]):
+            if choice != "area":
+                mi.load_dict({"type": "spherecap", name: choice})
+
+
+@pytest.mark.parametrize("page", [README, GUIDE])
+def test_the_commands_exist(page: Path) -> None:
+    """Every line that calls the command is one that it understands."""
+    lines = [line for block in blocks(page, "sh") for line in block.splitlines()]
+    calls = [line.split()[1:] for line in lines if line.startswith("spherecap ")]
+    assert calls
+    for words in calls:
+        command_line(words)
+
+
+def test_the_mathematics_holds() -> None:
+    """The page's program runs to its end."""
+    program = "\n".join(blocks(REPOSITORY / "docs/mathematics.md", "python"))
+    assert program.count("assert ") >= 4
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_versions_are_those_of_the_manifests() -> None:
+    """Wherever a page names one."""
+    package = tomllib.loads((REPOSITORY / "Cargo.toml").read_text())["package"]
+    mitsuba = re.search(r"^mitsuba==(.+)$", (REPOSITORY / "requirements.txt").read_text(), re.MULTILINE)[1]
+    found = set()
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        for pattern, version in (
+            (r"Rust (?:\()?(\d+\.\d+)", package["rust-version"]),
+            (r"Mitsuba (\d+\.\d+\.\d+)", mitsuba),
+            (r"mitsuba==([\d.]+)", mitsuba),
+            (r"find_package\(MitsubaWheel ([\d.]+)", mitsuba),
+            (r"find_package\(spherecap ([\d.]+)", package["version"].rpartition(".")[0]),
+            (r"^## Unreleased \(([\d.]+)\)", package["version"]),
+        ):
+            for named in re.findall(pattern, text, re.MULTILINE):
+                assert named == version, f"{page.name} says {named}, not {version}"
+                found.add(pattern)
+    assert len(found) == 6, found
+
+
+def test_links_lead_somewhere() -> None:
+    """All that point into the repository."""
+    links = [
+        (page, link)
+        for page in PAGES
+        for link in re.findall(r"\]\(\s*([^)\s]+?)\s*\)", page.read_text(encoding="utf-8"))
+        if not link.startswith("http")
+    ]
+    assert len(links) > 15
+    for page, link in links:
+        assert (page.parent / link).exists(), f"{page.name}: {link}"
+
+
+def test_targets_of_make_exist() -> None:
+    """Every `make target` that a page or a block of code names."""
+    targets = set(re.findall(r"^([a-z-]+):", (REPOSITORY / "Makefile").read_text(), re.MULTILINE))
+    named = set()
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        inline = re.sub("```.*?```", "", text, flags=re.DOTALL)
+        named |= set(re.findall(r"`make\s+([a-z-]+)", inline)) | set(
+            re.findall(r"^make ([a-z-]+)", text, re.MULTILINE)
+        )
+    assert {"demo", "test", "install"} <= named <= targets, named - targets
