@@ -61,7 +61,8 @@ $(LIBRARY): FORCE
 
 $(PLUGIN): $(LIBRARY) $(VENV)/installed include/spherecap.h $(wildcard mitsuba_plugin/*.* mitsuba_plugin/cmake/*)
 	$(BIN)/cmake -S mitsuba_plugin -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
-	    -DCMAKE_MAKE_PROGRAM=$(abspath $(BIN)/ninja) -DMitsubaWheel_PYTHON=$(abspath $(BIN)/python) -DSPHERECAP_LIBRARY=$(abspath $(LIBRARY))
+	    -DCMAKE_MAKE_PROGRAM="$(CURDIR)/$(BIN)/ninja" -DMitsubaWheel_PYTHON="$(CURDIR)/$(BIN)/python" \
+	    -DSPHERECAP_LIBRARY="$(CURDIR)/$(LIBRARY)"
 	$(BIN)/cmake --build build
 	touch $@
 

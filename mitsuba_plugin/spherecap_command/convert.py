@@ -67,7 +67,10 @@ class _File:
             self.data.decode()
         except UnicodeDecodeError as error:
             raise UserError(f"'{path}' is not encoded in UTF-8: save it so, and try again") from error
-        self.elements = elements(self.data)
+        try:
+            self.elements = elements(self.data)
+        except xml.parsers.expat.ExpatError as error:  # Mitsuba's parser lets some mistakes pass
+            raise UserError(f"'{path}' is not correct XML: {error}") from error
         self.by_start = {element.start: element for element in self.elements}
         self._edits: list[tuple[int, int, bytes]] = []
 
@@ -150,7 +153,8 @@ def _place(
                 continue
             included = by_path.get(scene.resolve(_substitute(element.values["filename"], variables)))
             if included is not None and included.is_edited:
-                names[included.path] = result.with_name(f"{result.stem}-{included.path.name}")
+                number = files.index(included)  # as two of them may have the same name, in different folders
+                names[included.path] = result.with_name(f"{result.stem}-{number}-{included.path.name}")
                 file.set(element, "filename", names[included.path].name)
     here, there = files[0].path.parent, result.resolve().parent
     if here != there:

@@ -103,11 +103,11 @@ def test_convert_changes_the_sphere_lights_and_nothing_else(
     source, result = folder / "scene.xml", folder / "new.xml"
     before = source.read_bytes()
     assert main(["convert", str(source), str(result)]) == 0
-    expected = SCENE.format(lamp="area", plain="spherecap").replace("$parts/lamp.xml", "new-lamp.xml")
+    expected = SCENE.format(lamp="area", plain="spherecap").replace("$parts/lamp.xml", "new-1-lamp.xml")
     # A default of a scene of several files may be read elsewhere: it is the lights that change.
     expected = expected.replace('type="$lamp"', 'type="spherecap"')
     assert result.read_text(encoding="utf-8") == expected
-    assert (folder / "new-lamp.xml").read_text() == INCLUDED.format(plain="spherecap")
+    assert (folder / "new-1-lamp.xml").read_text() == INCLUDED.format(plain="spherecap")
     assert source.read_bytes() == before
     printed = capsys.readouterr().out
     assert printed.count("spherecap: ") == 5
@@ -144,6 +144,20 @@ def test_what_was_converted_renders_from_another_folder(folder: Path, tmp_path: 
     np.testing.assert_array_equal(images["converted"], images["as ours"])
     np.testing.assert_array_equal(images["original"], images["as built in"])
     assert np.any(images["converted"] != images["original"])
+
+
+def test_includes_of_includes_are_converted(tmp_path: Path) -> None:
+    """Also those of the same name."""
+    include = '<scene version="3.0.0"><include filename="{}/lamp.xml"/>{}</scene>'
+    for name in ("a", "a/b"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "scene.xml").write_text(include.format("a", ""))
+    (tmp_path / "a/lamp.xml").write_text(include.format("a/b", SPHERE))
+    (tmp_path / "a/b/lamp.xml").write_text(f'<scene version="3.0.0">{SPHERE}</scene>')
+    assert main(["convert", str(tmp_path / "scene.xml"), str(tmp_path / "new.xml")]) == 0
+    converted = ParsedScene(tmp_path / "new.xml", {})
+    assert [light.emitter for light in converted.lights] == ["spherecap", "spherecap"]
+    assert {file.name for file in converted.files} == {"new.xml", "new-1-lamp.xml", "new-2-lamp.xml"}
 
 
 def test_a_byte_order_mark_does_not_shift_the_edits(tmp_path: Path) -> None:
@@ -216,14 +230,14 @@ CUBE = '<shape type="cube"><emitter type="area"/></shape>'
 MESH = '<shape type="obj"><string name="filename" value="x.obj"/></shape>'
 
 
-def scene(folder: Path, *shapes: str) -> str:
+def scene(folder: Path, *shapes: str, encoding: str = "utf-8") -> str:
     """Write a scene, and return its name."""
-    return write(folder / "a.xml", small_scene("".join(shapes)))
+    return write(folder / "a.xml", small_scene("<!-- Zoë -->" + "".join(shapes)), encoding)
 
 
-def write(path: Path, text: str) -> str:
+def write(path: Path, text: str, encoding: str = "utf-8") -> str:
     """Write a file, and return its name."""
-    path.write_text(text)
+    path.write_text(text, encoding=encoding)
     return str(path)
 
 
@@ -238,6 +252,14 @@ MISTAKES = {
     "not XML": (
         lambda t: ["convert", write(t / "a.xml", "<scene"), f"{t}/b.xml"],
         "(?s)Mitsuba cannot read '.*a.xml'",
+    ),
+    "not quite XML": (
+        lambda t: ["convert", scene(t, SPHERE.replace("<emitter", '<emitter id="a" id="a"')), f"{t}/b.xml"],
+        "'.*a.xml' is not correct XML: duplicate attribute",
+    ),
+    "not UTF-8": (
+        lambda t: ["convert", scene(t, SPHERE, encoding="latin-1"), f"{t}/b.xml"],
+        "'.*a.xml' is not encoded in UTF-8",
     ),
     "no mesh": (lambda t: ["compare", scene(t, SPHERE, MESH)], "(?s)cannot load '.*a.xml'.*x.obj"),
     "no light": (
