@@ -36,6 +36,10 @@ Function ``mitsuba_add_plugin(<name> <source>... [OUTPUT_DIRECTORY <dir>])``
   path of this machine. Mitsuba finds it if ``<dir>`` is called ``plugins`` and its parent is in
   ``mitsuba.file_resolver()``. Link further libraries with ``target_link_libraries(<name> PRIVATE ...)``.
 
+A whole plugin, with what the module takes care of, is in ``docs/mitsuba_plugins.md`` of spherecap, where this file
+comes from; it depends on nothing there, so copy it into your project, or add the folder that ``make install``
+(``share/spherecap/cmake``) or ``pip install`` (``spherecap/cmake``) puts it in to ``CMAKE_MODULE_PATH``.
+
 Supported: Linux on x86-64, GCC or Clang. On anything else the module fails and says so.
 #]=======================================================================]
 

@@ -4,6 +4,7 @@ import argparse
 import shutil
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from spherecap_command import info
@@ -124,7 +125,8 @@ def _compare(chosen: argparse.Namespace) -> int:
         bar.set_description("compare")
         results = compare(scene.load, counts, truth, bar.update)
     height, width, _ = truth.image.shape
-    lights = f"{len(scene.convertible)} sphere light" + ("s" if len(scene.convertible) > 1 else "")
+    count = len(scene.convertible)
+    lights = f"{count} sphere light{'s' if count > 1 else ''}"
     details = f"{lights}, {width} x {height} pixels, {chosen.variant}, spherecap {info.version('spherecap')}"
     print(f"{chosen.scene}: {details}\nreference: {truth.origin}, relative RMSE {truth.noise**0.5:.2g}")
     print(table(results))
@@ -135,8 +137,8 @@ def _compare(chosen: argparse.Namespace) -> int:
     return 0
 
 
-def _write_folder(output: Path, write) -> Path:
-    """Write into a folder that appears when it is complete."""
+def _write_folder(output: Path, write: Callable[[Path], Path]) -> Path:
+    """Have a page written into a folder that appears when it is complete; return the page."""
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
         unfinished = Path(tempfile.mkdtemp(prefix=f".{output.name}-", dir=output.parent))

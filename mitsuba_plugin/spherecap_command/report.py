@@ -71,7 +71,9 @@ def write_report(folder: Path, title: str, details: str, results: Sequence[Resul
             '<div class="row">' + "".join(_image(paths[part], caption) for paths, caption in saved) + "</div>"
             for part in (0, 1)
         ]
-        groups.append(f"<h2>{spp} samples per pixel</h2>\n" + "\n".join(rows_of_images))
+        groups.append(
+            f"<h2>{spp} sample{'s' if spp > 1 else ''} per pixel</h2>\n" + "\n".join(rows_of_images)
+        )
     page = folder / "index.html"
     page.write_text(
         f"""<!doctype html>
