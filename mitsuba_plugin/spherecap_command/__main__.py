@@ -185,7 +185,7 @@ def _info() -> int:
     print(f"for the mitsuba command: -a {spherecap.PLUGIN.parent.parent}")
     print("variants:")
     for variant, problem in info.usable_variants():
-        print(f"  {variant:<32} {problem or 'works'}")
+        print(f"  {variant:<32} {problem or 'loads the emitter'}")
     return 0
 
 
