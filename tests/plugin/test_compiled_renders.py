@@ -221,8 +221,8 @@ def test_gradients_of_radiance_and_albedo(integrator, key):
 def test_no_gradient_leaks_through_the_choice_of_samples(integrator):
     """A light's position has no gradient here, with `area` either.
 
-    Without the sampling of silhouettes only the choice of samples depends on it, and that is detached. (So
-    this says nothing about the gradients that silhouettes have.)
+    Without the sampling of silhouettes only the choice of samples depends on it, and that is detached. With
+    it there is one: see `test_silhouettes.py`.
     """
     assert not gradient("area", integrator, "x", renders=2, spp=64).any()
     assert not gradient("spherecap", integrator, "x", renders=2, spp=64).any()
