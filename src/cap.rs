@@ -126,7 +126,7 @@ impl<L: Lane> Cap<L> {
     #[inline(always)]
     pub fn new(normal: Vec3<L>, centre: Vec3<L>, radius: L) -> Self {
         let size = (centre.x.abs() + centre.y.abs()) + (centre.z.abs() + radius);
-        let scale = power_of_two_near_reciprocal(size);
+        let [scale, unscale] = power_of_two_near_reciprocal(size);
         let (c, r) = (centre * scale, radius * scale);
 
         let d2 = dot(c, c);
@@ -222,7 +222,7 @@ impl<L: Lane> Cap<L> {
         Self {
             frame,
             normal,
-            distance: radius * inv_s,
+            distance: d * unscale,
             radius_sin: s,
             inv_radius_sin: inv_s,
             radius_cos: v,

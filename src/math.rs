@@ -99,17 +99,20 @@ pub(crate) fn inverse_cube_root<L: Lane>(x: L) -> L {
 }
 
 /// A power of two `p` such that `p x` lies in about [1/4, 1], for positive normal `x` that `p` can reach; a power of two within
-/// the range of the type for every other `x`, infinity and NaN too. Exact, so that scaling a scene by it loses nothing.
+/// the range of the type for every other `x`, infinity and NaN too. Exact, so that scaling a scene by it loses nothing. And its
+/// reciprocal.
 #[inline(always)]
-pub(crate) fn power_of_two_near_reciprocal<L: Lane>(x: L) -> L {
+pub(crate) fn power_of_two_near_reciprocal<L: Lane>(x: L) -> [L; 2] {
     let unit = (L::SIGNIFICAND_BITS as f64).exp2();
     // Adding and subtracting 1.5 * 2^SIGNIFICAND_BITS rounds to an integer. The bits of x over 2^SIGNIFICAND_BITS are
     // its biased exponent plus a fraction.
     let round = Lit(1.5 * unit);
     let exponent = (x.bits() * Lit(1.0 / unit) + round) - round;
     // From 2^(EXPONENT_BIAS - 1) for a subnormal x down to the smallest normal number.
-    let reciprocal = lit(2.0 * L::EXPONENT_BIAS as f64 - 1.0) - exponent;
-    (reciprocal.max(L::lit(1.0)) * Lit(unit)).float_of_bits()
+    let bias = L::EXPONENT_BIAS as f64;
+    let reciprocal = (lit(2.0 * bias - 1.0) - exponent).max(L::lit(1.0));
+    let inverse = lit(2.0 * bias) - reciprocal;
+    [(reciprocal * Lit(unit)).float_of_bits(), (inverse * Lit(unit)).float_of_bits()]
 }
 
 #[cfg(test)]
@@ -139,15 +142,17 @@ mod tests {
         for exponent in -126..=127 {
             for fraction in [1.0_f32, 1.3, 1.5, 1.999_999_9] {
                 let x = fraction * (exponent as f32).exp2();
-                let p = power_of_two_near_reciprocal(x);
+                let [p, inverse] = power_of_two_near_reciprocal(x);
+                assert_eq!(inverse * p, 1.0, "{x} {p}");
                 assert_eq!(p.to_bits() & 0x007f_ffff, 0, "{x} {p}");
                 assert!((0.24..=4.0).contains(&(p * x)), "{x} {p}");
             }
         }
         for x in [0.0_f32, f32::INFINITY, f32::NAN, 1e-45] {
-            let p = power_of_two_near_reciprocal(x);
+            let [p, inverse] = power_of_two_near_reciprocal(x);
+            assert_eq!(inverse * p, 1.0, "{x} {p}");
             assert!(p.is_normal() && p > 0.0 && p.to_bits() & 0x007f_ffff == 0, "{x} {p}");
         }
-        assert!((0.24..1.1).contains(&(power_of_two_near_reciprocal(1e300_f64) * 1e300)));
+        assert!((0.24..1.1).contains(&(power_of_two_near_reciprocal(1e300_f64)[0] * 1e300)));
     }
 }

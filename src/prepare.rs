@@ -174,7 +174,7 @@ pub(crate) fn refusal<F: Scalar>(
     cap: &Cap<F>,
 ) -> Refusal {
     let (zero, largest) = (F::lit(0.0), F::lit(F::MAX));
-    // A sphere too small to be visible may be too small to tell the distance by.
+    // The squares of lengths may overflow where the length does not.
     let longest = centre.x.abs().max(centre.y.abs()).max(centre.z.abs());
     let relative = Vec3::new(centre.x / longest, centre.y / longest, centre.z / longest);
     let distance = longest * relative.dot(relative).sqrt();

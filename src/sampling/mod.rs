@@ -275,7 +275,10 @@ impl<L: Lane> Sampler<L> {
     pub fn sample(&self, u0: L, u1: L) -> Sample<L> {
         let (u0, u1) = (interior(u0), interior(u1));
         let offset = match self.technique {
-            Technique::SolidAngle => solid_angle::place(&self.cap, square_to_disk(u0, u1)),
+            Technique::SolidAngle => {
+                let point = square_to_disk(u0, u1);
+                solid_angle::place(&self.cap, point, solid_angle::radicand(&self.cap, point).sqrt())
+            }
             _ => self.sample_mixture(u0, u1),
         };
         let density = self.pdf_on_sphere(offset);
@@ -350,7 +353,11 @@ impl<L: Lane> Sampler<L> {
             {
                 let from_edge = from_edge(h, near.lt(far));
                 let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
-                branch!(is_plain, solid_angle::place(cap, point), ellipse::place(cap, point))
+                // One root for both.
+                let root =
+                    branch!(is_plain, solid_angle::radicand(cap, point), ellipse::radicand(cap, point))
+                        .sqrt();
+                branch!(is_plain, solid_angle::place(cap, point, root), ellipse::place(cap, point, root))
             },
             {
                 let (side, cosine) = (chord * across, chord * m);

@@ -15,17 +15,24 @@ fn height<L: Lane>(cap: &Cap<L>) -> L {
     cap.solid_angle * lit(0.5 / PI)
 }
 
+/// `(1 - v) rho^2`, by `1 - rho^2 = (1 - x^2)(1 - across^2)`.
+#[inline(always)]
+fn depth<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> L {
+    height(cap) * (lit(1.0) - point.chord2 * point.across_complement)
+}
+
+/// What [`place`] needs the root of.
+#[inline(always)]
+pub(super) fn radicand<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> L {
+    height(cap) * (lit(2.0) - depth(cap, point))
+}
+
 /// The direction for a point of the unit disk.
 #[inline(always)]
-pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
-    let height = height(cap);
-    // 1 - rho^2 = (1 - x^2)(1 - across^2).
-    let rest = point.chord2 * point.across_complement;
-    let depth = height * (lit(1.0) - rest);
-    let scale = (height * (lit(2.0) - depth)).sqrt();
-    let zenith = (point.from_edge - lit(1.0)) * scale;
-    let side = point.chord * point.across * scale;
-    Offset { zenith, side, cosine: cap.cosine(lit(1.0) - depth, zenith) }
+pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>, root: L) -> Offset<L> {
+    let zenith = (point.from_edge - lit(1.0)) * root;
+    let side = point.chord * point.across * root;
+    Offset { zenith, side, cosine: cap.cosine(lit(1.0) - depth(cap, point), zenith) }
 }
 
 #[inline(always)]
