@@ -7,6 +7,7 @@ floor inside a light gets nothing). `trusted_pixels` tells these apart. Camera, 
 from the scene file.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import mitsuba as mi
@@ -18,6 +19,14 @@ from renderlab.scenes import load_scene
 
 FLOOR_SCENES = ("open_floor", "cut_light", "sunken_light", "tiny_far_light", "touching_light")
 NODES_PER_SIDE = 16
+
+# Irradiance of the floor for radiance 1: the light's centre minus points, shape (..., 3), and its radius.
+Irradiance = Callable[[np.ndarray, float], np.ndarray]
+
+
+def closed_form(centre: np.ndarray, radius: float) -> np.ndarray:
+    """Return what `irradiance.py` gives."""
+    return projected_solid_angle(np.array([0.0, 0.0, 1.0]), centre, radius)
 
 
 @dataclass(frozen=True)
@@ -75,17 +84,18 @@ def floor_points(scene: FloorScene, film_x: np.ndarray, film_y: np.ndarray) -> n
     return scene.camera - directions * (scene.camera[2] / directions[..., 2:])
 
 
-def reference_image(scene: FloorScene, nodes: int = NODES_PER_SIDE) -> np.ndarray:
+def reference_image(
+    scene: FloorScene, nodes: int = NODES_PER_SIDE, irradiance_at: Irradiance = closed_form
+) -> np.ndarray:
     """Return the image, each pixel averaged over nodes x nodes Gauss-Legendre points."""
     abscissae, weights = np.polynomial.legendre.leggauss(nodes)
     abscissae, weights = (abscissae + 1) / 2, weights / 2
-    normal = np.array([0.0, 0.0, 1.0])
     film_x = (np.arange(scene.width)[:, None] + abscissae) / scene.width
     rows = []
     for row in range(scene.height):  # Row by row, to keep memory small.
         film_y = (row + abscissae) / scene.height
         points = floor_points(scene, film_x[None], film_y[:, None, None])
-        irradiance = projected_solid_angle(normal, scene.centre - points, scene.radius)
+        irradiance = irradiance_at(scene.centre - points, scene.radius)
         rows.append(np.einsum("yxi,y,i->x", irradiance, weights, weights))
     return np.array(rows)[..., None] * scene.reflectance * scene.radiance / np.pi
 
@@ -96,7 +106,7 @@ def jittered_image(scene: FloorScene, seed: int) -> np.ndarray:
     film_x = (np.arange(scene.width) + random.random((scene.height, scene.width))) / scene.width
     film_y = (np.arange(scene.height)[:, None] + random.random((scene.height, scene.width))) / scene.height
     points = floor_points(scene, film_x, film_y)
-    irradiance = projected_solid_angle(np.array([0.0, 0.0, 1.0]), scene.centre - points, scene.radius)
+    irradiance = closed_form(scene.centre - points, scene.radius)
     return irradiance[..., None] * scene.reflectance * scene.radiance / np.pi
 
 

@@ -1,4 +1,4 @@
-"""Irradiance of a spherical light on a plane, the part below the horizon cut off: a closed form.
+"""Irradiance of a spherical light on a plane, without what is below the horizon: closed form, and quadrature.
 
 For radiance 1 the irradiance equals the projected solid angle of the visible part of the light, in [0, pi].
 The closed form is the known view factor of a sphere from a plane element (J. M. Snyder, "Area Light Sources
@@ -8,7 +8,10 @@ nothing with the Rust library, on purpose. Near Z = -s it subtracts nearly equal
 stays at rounding level (a few 2^-53 s), its relative error there does not.
 """
 
+from itertools import pairwise
+
 import numpy as np
+from scipy.integrate import quad
 
 
 def projected_solid_angle(normal: np.ndarray, centre: np.ndarray, radius: float | np.ndarray) -> np.ndarray:
@@ -32,3 +35,30 @@ def projected_solid_angle(normal: np.ndarray, centre: np.ndarray, radius: float 
 
     result = np.where(height >= sine, whole, np.where(height <= -sine, 0.0, cut))
     return np.where(distance <= radius, 0.0, result)
+
+
+def integrated_solid_angle(height: float, sine: float) -> tuple[float, float]:
+    """Integrate the cosine over a cap above the horizon, ring by ring about the normal: slow, and by itself.
+
+    height: cosine between normal and centre. sine: of the cap's angular radius. At zenith angle t the cap
+    covers azimuths up to acos((v - Z cos t) / (X sin t)), where v is the cosine of its angular radius, and
+    the normal's components towards and across the centre are Z and X. Return the integral and a bound of
+    its error.
+    """
+    across, cosine = np.sqrt((1 - height) * (1 + height)), np.sqrt((1 - sine) * (1 + sine))
+
+    def ring(t: float) -> float:
+        reach = cosine - height * np.cos(t)
+        side = across * np.sin(t)
+        azimuth = np.arccos(np.clip(reach / side, -1, 1)) if side > 0 else np.pi * (reach <= 0)
+        return 2 * azimuth * np.cos(t) * np.sin(t)
+
+    zenith, half = np.arccos(height), np.arcsin(sine)
+    # The integrand has kinks where a ring begins and ends to meet the cap, and where it is all inside.
+    kinks = np.unique(np.clip([0, zenith - half, half - zenith, zenith + half, np.pi / 2], 0, np.pi / 2))
+    # Not better than the arc cosine allows: a small cap keeps its argument within sine^2 of 1.
+    relative = 1e-12 + 2.0**-50 / sine**2
+    parts = [
+        quad(ring, a, b, epsabs=relative * sine**2, epsrel=relative, limit=200) for a, b in pairwise(kinks)
+    ]
+    return sum(value for value, _ in parts), sum(error for _, error in parts)
