@@ -232,6 +232,24 @@ fn the_example_prints_samples() {
     assert!(source.contains(&format!("libspherecap.a {} ", LIBRARIES.join(" "))));
 }
 
+/// `tests/cross` looks at its images; here, it is a program that gives every technique all that a scene can hold.
+#[test]
+fn the_renderer_renders_the_same_under_sanitizers() {
+    let scene = "image 16 12\ncamera 1 -3 6 0.2 0.3 0 50\nlight 0 0 0.1 0.5 1\nlight 0 0 1.5 0.5 1\n\
+                 rectangle 0 0 0 9 0 0 0 9 0 0.5\nball -0.8 0.5 0.3 0.3 0.7\nbox 0.7 -0.4 0 1.2 0.4 0.5 0.5\n";
+    let [plain, sanitized] = [false, true].map(|sanitized| build("tests/c/renderer.c", sanitized));
+    for technique in ["solid_angle", "projected_bounded", "projected"] {
+        for sampler in ["independent", "lattice"] {
+            let arguments = [technique, sampler, "4", "1"];
+            let [image, expected] = [&sanitized, &plain].map(|program| {
+                run(program, &arguments, scene).unwrap_or_else(|report| panic!("{arguments:?}: {report}"))
+            });
+            assert!(image == expected, "{arguments:?} gives another image under sanitizers");
+            assert!(image.starts_with("Pf\n16 12\n-1\n"), "{image:?}");
+        }
+    }
+}
+
 #[test]
 fn good_and_bad_input_from_c_gives_every_status() {
     let output = run_both("tests/c/calls.c", "");
