@@ -7,6 +7,8 @@ BIN := $(VENV)/bin
 PLUGIN := mitsuba_plugin/spherecap/plugins/spherecap.so
 LIBRARY := target/release/libspherecap.a
 SHARED := target/release/libspherecap.so
+C_RENDERER := build/renderer
+IRRADIANCE := target/release/examples/irradiance
 CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h examples/*.c)
 
 # `make demo SCENE=cut_light VARIANT=scalar_rgb SPP=16`
@@ -24,7 +26,7 @@ INSTALLED := include/spherecap.h lib/libspherecap.a lib/libspherecap.so.$(VERSIO
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-rust test-python test-long lint format build library install uninstall package msrv header accuracy \
+.PHONY: help demo cross test test-rust test-python test-long lint format build library install uninstall package msrv header accuracy \
     bench instructions fits picture clean FORCE
 
 help: ## List the targets.
@@ -33,12 +35,15 @@ help: ## List the targets.
 demo: build ## Render SCENE with `area` and with `spherecap`; print a table, save a picture below out/.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene $(SCENE) --variant $(VARIANT) --spp $(SPP)
 
+cross: build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed .venv-cycles/installed ## Compare several renderers.
+	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m cross
+
 test: lint test-rust package test-python ## Run all tests.
 
 test-rust: ## The library and its C ABI.
 	cargo test --release --locked -- --show-output
 
-test-python: build ## The fits, the plugin and the renders.
+test-python: build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed ## The fits, the plugin and the renders.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python -m pytest tests
 
 lint: $(VENV)/installed ## Formatting and warnings, as errors.
@@ -64,6 +69,22 @@ $(PLUGIN): $(LIBRARY) $(VENV)/installed include/spherecap.h $(wildcard mitsuba_p
 	    -DCMAKE_MAKE_PROGRAM="$(CURDIR)/$(BIN)/ninja" -DMitsubaWheel_PYTHON="$(CURDIR)/$(BIN)/python" \
 	    -DSPHERECAP_LIBRARY="$(CURDIR)/$(LIBRARY)"
 	$(BIN)/cmake --build build
+	touch $@
+
+$(C_RENDERER): tests/c/renderer.c include/spherecap.h $(LIBRARY)
+	mkdir -p $(@D)
+	$(CC) -std=c99 -O2 -Wall -Wextra -Werror -pedantic -Iinclude $< $(LIBRARY) -lpthread -ldl -lm -o $@
+
+$(IRRADIANCE): FORCE
+	cargo build --release --locked --example irradiance
+
+# The other renderers are large, and want other versions of the same packages: each has an environment of its own.
+.venv-%/installed: tools/cross/requirements-%.txt
+	$(PYTHON) -m venv .venv-$*
+	@echo "Installing $* into .venv-$*: a large download."
+	@.venv-$*/bin/python -m pip install --quiet --disable-pip-version-check -r $< || { \
+	    echo "$* cannot be installed for $$($(PYTHON) --version): CPython 3.11 is what both renderers have packages" \
+	    "for; try again with \`make PYTHON=python3.11\`" >&2; exit 1; }
 	touch $@
 
 $(VENV)/installed: requirements.txt
@@ -123,6 +144,6 @@ picture: build ## Remake the picture of the README.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene cut_light --spp 4 --width 160 --picture docs/cut_light.png
 
 clean: ## Remove all that was built, rendered and installed here.
-	rm -rf target build out $(VENV) mitsuba_plugin/spherecap/plugins
+	rm -rf target build out $(VENV) .venv-luxcore .venv-cycles mitsuba_plugin/spherecap/plugins
 
 FORCE:

@@ -2,6 +2,8 @@
 #define SPHERECAP_H
 
 // Generated from src/ffi*.rs by cbindgen: `make header`. Do not edit.
+//
+// A first program is examples/print_samples.c; tests/c/renderer.c is a small renderer.
 
 #include <stddef.h>
 #include <stdint.h>
