@@ -1,0 +1,83 @@
+"""The C renderer's command line and scene files: what is wrong is said."""
+
+import subprocess
+
+import pytest
+from cross.render_c import PROGRAM, read_pfm
+from cross.scene import as_text, by_name
+
+SCENE = as_text(by_name("S1"), 8, 6)
+
+
+def run(scene: str, *arguments: str) -> subprocess.CompletedProcess:
+    """Run it."""
+    return subprocess.run([PROGRAM, *arguments], input=scene.encode(), capture_output=True)
+
+
+def test_writes_an_image() -> None:
+    """Of the size that was asked for, reproducibly."""
+    done = run(SCENE, "projected", "independent", "4", "7")
+    assert done.returncode == 0, done.stderr
+    image = read_pfm(done.stdout)
+    assert image.shape == (6, 8)
+    assert image.min() > 0
+    assert run(SCENE, "projected", "independent", "4", "7").stdout == done.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], "usage: renderer"),
+        (["projected", "independent", "4"], "usage: renderer"),
+        (["guessed", "independent", "4", "1"], "no such choice: guessed"),
+        (["projected", "guessed", "4", "1"], "no such choice: guessed"),
+        (["projected", "independent", "0", "1"], "out of range: 0"),
+        (["projected", "independent", "4x", "1"], "not a whole number, or out of range: 4x"),
+        (["projected", "independent", "4", "-1"], "out of range: -1"),
+    ],
+)
+def test_bad_arguments_are_explained(arguments: list[str], words: str) -> None:
+    """And nothing is written."""
+    done = run(SCENE, *arguments)
+    assert done.returncode == 1
+    assert words in done.stderr.decode()
+    assert not done.stdout
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("cone 0 0 1 1 1", "line 7 of the scene: there is nothing called 'cone'"),
+        (
+            "light 0 0 1 1",
+            "line 7 of the scene: a number is missing. After 'light' come: centre, radius, radiance.",
+        ),
+        ("light 0 0 1 1 1 1", "line 7 of the scene: there is something else"),
+        ("light 0 0 one 1 1", "line 7 of the scene: there is something else"),
+        ("light 0 0 nan 1 1", "line 7 of the scene: there is something else"),
+        ("light 0 0 1 -1 1", "the radius is not positive"),
+        ("ball 0 0 1 0 0.5", "it has no extent"),
+        ("ball 0 0 1 1 1.5", "the albedo is not in [0, 1]"),
+        ("box 0 0 0 1 1 0 0.5", "it has no extent"),
+        ("rectangle 0 0 0 1 0 0 2 0 0 0.5", "it has no extent"),
+        ("camera 0 0 5 0 0 0 50", "the view is vertical"),
+        ("image 0 5", "the size is not between"),
+        ("bounces 2", "this renderer cannot do that"),
+        ("light 0 0 1 1 1\n" * 64, "line 70 of the scene: there are too many lights"),
+        ("ball 0 0 1 1 0\n" * 64, "line 70 of the scene: there are too many shapes"),
+    ],
+)
+def test_bad_scenes_are_explained(line: str, words: str) -> None:
+    """With the number of the line."""
+    assert len(SCENE.splitlines()) == 6
+    done = run(SCENE + line + "\n", "projected", "independent", "1", "1")
+    assert done.returncode == 1
+    assert words in done.stderr.decode()
+    assert not done.stdout
+
+
+def test_a_scene_without_a_camera_is_refused() -> None:
+    """As is an empty one."""
+    done = run("# nothing\n", "projected", "independent", "1", "1")
+    assert done.returncode == 1
+    assert "no line 'image'" in done.stderr.decode()
