@@ -26,7 +26,7 @@ INSTALLED := include/spherecap.h lib/libspherecap.a lib/libspherecap.so.$(VERSIO
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross test test-rust test-python test-long lint format build library install uninstall package msrv header accuracy \
+.PHONY: help demo cross test test-rust test-python test-long lint format build library install uninstall doc package msrv header accuracy \
     bench instructions fits picture clean FORCE
 
 help: ## List the targets.
@@ -46,7 +46,7 @@ test-rust: ## The library and its C ABI.
 test-python: build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed ## The fits, the plugin and the renders.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python -m pytest tests
 
-lint: $(VENV)/installed ## Formatting and warnings, as errors.
+lint: $(VENV)/installed doc ## Formatting and warnings, as errors.
 	cargo fmt --check
 	cargo clippy --release --locked --all-targets -- -D warnings
 	$(BIN)/ruff check
@@ -113,6 +113,9 @@ install: library ## Install the C library below PREFIX (/usr/local), with pkg-co
 uninstall: ## Remove what `make install` installed.
 	rm -f $(foreach file,$(INSTALLED),"$(DESTDIR)$(PREFIX)/$(file)")
 	-rmdir "$(DESTDIR)$(PREFIX)/lib/cmake/spherecap" "$(DESTDIR)$(PREFIX)/share/spherecap/cmake" "$(DESTDIR)$(PREFIX)/share/spherecap"
+
+doc: ## The documentation of the crate, in target/doc/spherecap.
+	RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps
 
 package: ## Is the crate complete as it would be published?
 	cargo package --locked --allow-dirty

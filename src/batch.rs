@@ -1,9 +1,9 @@
 //! Many points at once: sampling and densities over arrays of numbers, by the widest instructions that the CPU has.
 //!
 //! ```
-//! use spherecap::{batch::Batch, Density, Sample, Strategy, Vec3};
+//! use spherecap::{batch::{Batch, Densities, Samples}, Strategy, Vec3};
 //!
-//! // One light of radius 1, seen from three points of a floor.
+//! // A light of radius 1, seen from three points of a floor.
 //! let (zeros, ones, centre_x) = ([0.0; 3], [1.0; 3], [3.0, 2.0, -2.0]);
 //! let normal = Vec3::new(&zeros[..], &zeros, &ones);
 //! let centre = Vec3::new(&centre_x[..], &zeros, &zeros);
@@ -11,8 +11,9 @@
 //!
 //! let [mut x, mut y, mut z, mut pdf] = [[0.0; 3]; 4];
 //! let direction = Vec3::new(Some(&mut x[..]), Some(&mut y[..]), Some(&mut z[..]));
-//! let density = Density { solid_angle: Some(&mut pdf[..]), ..Density::default() };
-//! batch.sample([&[0.1, 0.2, 0.3], &[0.6, 0.5, 0.4]], Sample { direction, density, ..Sample::default() });
+//! let density = Densities { solid_angle: Some(&mut pdf), ..Densities::default() };
+//! // What is not asked for is not stored.
+//! batch.sample([&[0.1, 0.2, 0.3], &[0.6, 0.5, 0.4]], Samples { direction, density, ..Samples::default() });
 //! assert!(pdf.iter().all(|&pdf| pdf > 0.0) && x[2] < 0.0);
 //! ```
 //!
@@ -64,6 +65,22 @@ impl Batch<'_> {
 
     /// [`Sampler::pdf`] of an offset for each point.
     ///
+    /// ```
+    /// # use spherecap::{batch::{Batch, Densities, Samples}, Offset, Strategy, Vec3};
+    /// # let (zeros, ones, centre_x) = ([0.0; 2], [1.0; 2], [3.0, 2.0]);
+    /// # let normal = Vec3::new(&zeros[..], &zeros, &ones);
+    /// # let centre = Vec3::new(&centre_x[..], &zeros, &zeros);
+    /// # let batch = Batch { strategy: Strategy::default(), normal, centre, radius: &ones };
+    /// let [mut zenith, mut side, mut cosine, mut sampled, mut pdf] = [[0.0; 2]; 5];
+    /// let offset = Offset { zenith: Some(&mut zenith[..]), side: Some(&mut side), cosine: Some(&mut cosine) };
+    /// let density = Densities { solid_angle: Some(&mut sampled), ..Densities::default() };
+    /// batch.sample([&[0.1, 0.2], &[0.6, 0.5]], Samples { offset, density, ..Samples::default() });
+    ///
+    /// let offset = Offset { zenith: &zenith[..], side: &side, cosine: &cosine };
+    /// batch.pdf(offset, Densities { solid_angle: Some(&mut pdf), ..Densities::default() });
+    /// assert_eq!(pdf, sampled);
+    /// ```
+    ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.
     pub fn pdf(&self, offset: Offset<&[f32]>, densities: Densities<'_>) {
@@ -72,6 +89,19 @@ impl Batch<'_> {
 
     /// [`Sampler::pdf`] of a unit direction for each point, to the precision of [`Sampler::offset`].
     ///
+    /// ```
+    /// # use spherecap::{batch::{Batch, Densities}, Strategy, Vec3};
+    /// # let (zeros, ones, centre_x) = ([0.0; 2], [1.0; 2], [3.0, 2.0]);
+    /// # let normal = Vec3::new(&zeros[..], &zeros, &ones);
+    /// # let centre = Vec3::new(&centre_x[..], &zeros, &zeros);
+    /// # let batch = Batch { strategy: Strategy::default(), normal, centre, radius: &ones };
+    /// // Of two directions from a BSDF, one is towards the light.
+    /// let direction = Vec3::new(&[0.96, 0.0][..], &[0.0, 0.0], &[0.28, 1.0]);
+    /// let mut pdf = [0.0; 2];
+    /// batch.pdf_direction(direction, Densities { solid_angle: Some(&mut pdf), ..Densities::default() });
+    /// assert!(pdf[0] > 0.0 && pdf[1] == 0.0);
+    /// ```
+    ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.
     pub fn pdf_direction(&self, direction: Vec3<&[f32]>, densities: Densities<'_>) {
@@ -79,6 +109,19 @@ impl Batch<'_> {
     }
 
     /// [`Sampler::pdf_on_sphere`] of a unit direction for each point: one that is known to point at the sphere.
+    ///
+    /// ```
+    /// # use spherecap::{batch::{Batch, Densities}, Strategy, Vec3};
+    /// # let (zeros, ones, centre_x) = ([0.0; 2], [1.0; 2], [3.0, 2.0]);
+    /// # let normal = Vec3::new(&zeros[..], &zeros, &ones);
+    /// # let centre = Vec3::new(&centre_x[..], &zeros, &zeros);
+    /// # let batch = Batch { strategy: Strategy::default(), normal, centre, radius: &ones };
+    /// // For multiple importance sampling: in these directions, rays have hit the light.
+    /// let direction = Vec3::new(&[0.96, 0.96][..], &[0.0, 0.224], &[0.28, 0.168]);
+    /// let mut pdf = [0.0; 2];
+    /// batch.pdf_on_sphere(direction, Densities { projected_solid_angle: Some(&mut pdf), ..Densities::default() });
+    /// assert!(pdf.iter().all(|&pdf| pdf > 0.0));
+    /// ```
     ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.

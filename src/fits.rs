@@ -4,6 +4,13 @@
 //! the rounded coefficients: rounding in a polynomial's evaluation comes on top.
 
 /// Polynomials for one precision; each has its coefficients in ascending order.
+///
+/// ```
+/// use spherecap::{Fits, Lane};
+///
+/// let [single, double]: [Fits; 2] = [f32::FITS, f64::FITS];
+/// assert!(single.shape.len() < double.shape.len());
+/// ```
 pub struct Fits {
     /// H(x) = (a - sin a cos a) / sin^3 a with a = acos x, for x in [0, 1], in powers of x - 1/2. Best in the
     /// relative error of d/dx (x H), which bounds the relative errors of H and of

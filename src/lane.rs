@@ -15,6 +15,16 @@ use crate::fits::Fits;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// A literal that meets a lane: `lit(1.0) - x` and `x * lit(0.5)` need no type annotation.
+///
+/// ```
+/// use spherecap::{lit, Lane, Lit};
+///
+/// const HALF: Lit = lit(0.5);
+/// fn mean<L: Lane>(x: L, y: L) -> L {
+///     HALF * (x + y)
+/// }
+/// assert_eq!((mean(1.0_f32, 2.0), mean(1.0_f64, 2.0)), (1.5, 1.5));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Lit(pub f64);
 
@@ -47,6 +57,17 @@ macro_rules! lit_operators {
 lit_operators!(Add add, Sub sub, Mul mul, Div div);
 
 /// One truth value per lane.
+///
+/// ```
+/// use spherecap::{Lane, Mask};
+///
+/// fn is_in_unit_interval<L: Lane>(x: L) -> L::Mask {
+///     L::lit(0.0).le(x) & !L::lit(1.0).lt(x)
+/// }
+/// // A scalar has one truth value; of a packet, some may be true and others not.
+/// assert!(is_in_unit_interval(0.5_f32).all());
+/// assert!(!is_in_unit_interval(f32::INFINITY).any());
+/// ```
 pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
     /// Whether some lane may be true. A recorded mask answers `true` unless it is the constant `false`.
     fn any(self) -> bool;
@@ -54,7 +75,20 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     fn all(self) -> bool;
 }
 
-/// What a side of a [`branch!`] may return: lanes, and vectors, tuples and arrays of them.
+/// What can be chosen lane by lane: lanes, and vectors, tuples and arrays of them.
+///
+/// ```
+/// use spherecap::{Blend, Lane, Vec3};
+///
+/// fn facing<L: Lane>(normal: Vec3<L>, direction: Vec3<L>) -> Vec3<L> {
+///     let is_behind = normal.dot(direction).lt(L::lit(0.0));
+///     Blend::blend(is_behind, normal * L::lit(-1.0), normal)
+/// }
+/// let down = Vec3::new(0.0_f32, 0.0, -1.0);
+/// assert_eq!(facing(Vec3::new(0.0, 0.0, 1.0), down), down);
+/// // Where no lane takes a side, it need not be computed: anything will do for it.
+/// assert_eq!(Blend::blend(true, down, Vec3::blank()), down);
+/// ```
 pub trait Blend<M>: Copy {
     /// A value for the side that no lane takes.
     fn blank() -> Self;
@@ -81,14 +115,26 @@ impl<M, T: Blend<M>> Blend<M> for Only<T> {
 /// An arithmetic type that the kernels run on; see the module's text for its rules.
 ///
 /// ```
-/// use spherecap::{Lane, Mask};
+/// use spherecap::{lit, Lane};
 ///
-/// fn softplus_bound<L: Lane>(x: L) -> L {
-///     let positive = L::lit(0.0).lt(x);
-///     assert!(positive.any() || !positive.all());
-///     L::select(positive, x.fma(L::lit(1.0), L::lit(0.7)), L::lit(0.7))
+/// /// The larger solution of `x^2 - 2 p x + q = 0` where there is one, without cancellation where p is negative.
+/// fn larger_solution<L: Lane>(p: L, q: L) -> L {
+///     let root = p.fma(p, -q).max(L::lit(0.0)).sqrt();
+///     let far = p.abs() + root;
+///     L::select(p.lt(L::lit(0.0)), -q / far, far)
 /// }
-/// assert_eq!([softplus_bound(-1.0_f64), softplus_bound(1.0)], [0.7, 1.7]);
+/// assert_eq!((larger_solution(2.0_f32, 3.0), larger_solution(-2.0_f64, 3.0)), (3.0, -1.0));
+///
+/// /// The exponent of a power of two, and the power of an exponent that the type has.
+/// fn exponent<L: Lane>(power: L) -> L {
+///     power.bits() / lit(f64::from(L::SIGNIFICAND_BITS).exp2()) - lit(f64::from(L::EXPONENT_BIAS))
+/// }
+/// fn power<L: Lane>(exponent: L) -> L {
+///     let bias = L::lit(f64::from(L::EXPONENT_BIAS));
+///     let biased = (exponent + bias).min(bias + bias);
+///     (biased * lit(f64::from(L::SIGNIFICAND_BITS).exp2())).float_of_bits()
+/// }
+/// assert_eq!((exponent(8.0_f32), power(3.0_f64)), (3.0, 8.0));
 /// ```
 pub trait Lane:
     Copy

@@ -126,7 +126,7 @@ pub(super) fn density_bound<L: Lane>(cap: &Cap<L>) -> L {
     L::select(is_case_3, bound, L::lit(1.0))
 }
 
-/// The conservative bound of Section 3.4 of the supplement: the largest [`density_bound`] of any cap with this `s = r/d`
+/// The conservative bound of Section 3.4 of the supplement: the largest [`Sampler::density_bound`](crate::Sampler::density_bound) of any cap with this `s = r/d`
 /// in (0, 1), and hence of any smaller one. It is sqrt 2 for `s <= 1/2` and below two for `s <= 1/1.094`.
 ///
 /// The bound of the caps with one s, `(X v + s |Z|) X/v sqrt(1 + kappa v / X)`, is sqrt 2 as they set (`kappa -> 1`) and has

@@ -108,11 +108,12 @@ impl<L: Lane> Default for Strategy<L> {
 /// A probability density in two measures.
 ///
 /// ```
-/// # use spherecap::{Sampler, Strategy};
+/// use spherecap::{Density, Sampler, Strategy};
+///
 /// let sampler = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 0.0, 0.5], 1.0)?;
 /// let sample = sampler.sample(0.3, 0.6);
-/// let quotient = sample.density.solid_angle / sample.density.projected_solid_angle;
-/// assert!((quotient - sample.offset.cosine).abs() < 1e-14);
+/// let Density { solid_angle, projected_solid_angle } = sample.density;
+/// assert!((solid_angle / projected_solid_angle - sample.offset.cosine).abs() < 1e-14);
 /// # Ok::<(), spherecap::Refusal>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -127,12 +128,14 @@ pub struct Density<L> {
 /// A sampled direction and where it meets the sphere.
 ///
 /// ```
-/// # use spherecap::{Sampler, Strategy};
+/// use spherecap::{Sample, Sampler, Strategy};
+///
 /// let (centre, radius) = ([2.0, 0.0, 0.5], 1.0);
-/// let sample = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], centre, radius)?.sample(0.3, 0.6);
+/// let sampler = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], centre, radius)?;
+/// let Sample { direction, distance, normal, .. } = sampler.sample(0.3, 0.6);
 /// // The point on the light, in two ways.
-/// let along_the_ray = sample.direction.x * sample.distance;
-/// let on_the_sphere = centre[0] + radius * sample.normal.x;
+/// let along_the_ray = direction.x * distance;
+/// let on_the_sphere = centre[0] + radius * normal.x;
 /// assert!((along_the_ray - on_the_sphere).abs() < 1e-14);
 /// # Ok::<(), spherecap::Refusal>(())
 /// ```

@@ -8,6 +8,17 @@ use crate::sampling::Strategy;
 use core::{ffi::CStr, fmt};
 
 /// What a CPU may have for packets of numbers.
+///
+/// ```
+/// use spherecap::batch::Instructions;
+///
+/// let widest = Instructions::widest();
+/// println!("batches use {widest}; available are:");
+/// for instructions in Instructions::ALL.into_iter().filter(|instructions| instructions.are_available()) {
+///     println!("{instructions}");
+/// }
+/// # assert!(widest.are_available());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Instructions {
     /// One number at a time, by what every CPU of its kind has.
