@@ -160,7 +160,7 @@ const _: () = {
 };
 
 /// Compiles a kernel call twice, plainly and with fused multiply-adds as instructions, and picks per call what the CPU
-/// has. The results are the same to the bit; without the instruction the kernels are several times slower.
+/// has. The results are the same to the bit; without the instruction each is a call.
 macro_rules! kernel {
     (fn $name:ident($($arg:ident: $type:ty),*) -> $result:ty $body:block) => {
         #[inline]

@@ -30,9 +30,15 @@
 //!
 //! # Features and dependencies
 //!
-//! The crate has no Cargo features: instructions that the processor has are found when the program runs, and a program that
-//! uses only the Rust API links nothing of the C ABI. It needs `std` (for that detection), the crate `glam` for vectors at its
-//! boundary, and `libc` for the types of the C ABI.
+//! The crate has no Cargo features, and a program that uses only the Rust API links nothing of the C ABI. It needs `std` (to find
+//! out what instructions the processor has), the crate `glam` for vectors at its boundary, and `libc` for the types of the C ABI.
+//!
+//! # Speed
+//!
+//! [`batch`] finds the widest instructions when the program runs. All else is inlined into your functions, and compiled for the
+//! same processor as they are. By default that is one without fused multiply-adds, each of which then is a call: so compile with
+//! `-C target-cpu=x86-64-v3` or `native`, or call the kernels from functions with `#[target_feature(enable = "avx2,fma")]`. The
+//! results are the same to the bit.
 //!
 //! After C. Peters and C. Dachsbacher, "Sampling Projected Spherical Caps in Real Time", Proc. ACM Comput. Graph. Interact. Tech.
 //! 2(1), 2019, with a uniform technique where theirs is not, and numerics that hold in single precision.

@@ -183,20 +183,42 @@ def blocks(page: Path, language: str) -> list[str]:
 
 
 def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
-    """Its program, compiled by its lines for pkg-config, and its list of what is installed."""
+    """Its programs, compiled by its lines for pkg-config, and its list of what is installed."""
     page = REPOSITORY / "docs/c.md"
-    (tmp_path / "program.c").write_text(blocks(page, "c")[0])
+    single, batch = blocks(page, "c")
     _, compile_lines = blocks(page, "sh")
-    path = str(prefix / "lib/pkgconfig")
+
+    def printed_by(program: str, compile_line: str) -> list[str]:
+        (tmp_path / "program.c").write_text(program)
+        run("sh", "-ec", compile_line, folder=tmp_path, PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig"))
+        return run(tmp_path / "program", folder=tmp_path, LD_LIBRARY_PATH=str(prefix / "lib")).split()
+
     for line in compile_lines.splitlines():
-        run("sh", "-ec", line, folder=tmp_path, PKG_CONFIG_PATH=path)
-        printed = run(tmp_path / "program", folder=tmp_path, LD_LIBRARY_PATH=str(prefix / "lib")).split()
-        assert len(printed) == 4
-        assert len(set(printed)) == 1, "no noise"
+        reflected = printed_by(single, line)
+        assert len(reflected) == 4
+        assert len(set(reflected)) == 1, "no noise"
+        words = printed_by(batch, line)
+        by_distance = dict(zip(words[::2], words[1::2], strict=True))
+        assert by_distance["3.0"] == reflected[0], "the point of the other program"
+        assert by_distance["0.5"] == "0.0000", "inside the light"
+        lit = [float(light) for light in words[1::2] if light != "0.0000"]
+        assert len(lit) > 5
+        assert lit == sorted(lit, reverse=True), "the further, the darker"
     listed = re.findall(r"`((?:include|lib|share)/[\w./]+)`", page.read_text(encoding="utf-8"))
     assert len(listed) >= 6
     for name in listed:
         assert (prefix / name).exists(), name
+
+
+def test_the_readmes_lines_in_c(prefix: Path, tmp_path: Path) -> None:
+    """They are part of a function."""
+    (lines,) = blocks(REPOSITORY / "README.md", "c")
+    program = "#include <spherecap.h>\nint main(void) {\nfloat u0 = 0.25f, u1 = 0.75f;\n"
+    program += lines + "return !(status == SPHERECAP_STATUS_OK && sample.density.solid_angle > 0);\n}\n"
+    (tmp_path / "program.c").write_text(program)
+    flags = pkg_config(prefix, "--cflags", "--libs", "--static")
+    run(CC, "-std=c99", "-Wall", "-Werror", "-static", "program.c", *flags, "-o", "program", folder=tmp_path)
+    run(tmp_path / "program", folder=tmp_path)
 
 
 def test_a_plugin_by_somebody_else(prefix: Path, tmp_path: Path) -> None:
