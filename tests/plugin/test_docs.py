@@ -86,6 +86,27 @@ def test_the_commands_exist(page: Path) -> None:
         command_line(words)
 
 
+def test_the_guides_reference_is_the_commands() -> None:
+    """The number of samples, where nobody asks for another."""
+    samples = re.search(
+        r"with (\d+) samples per pixel unless `--reference`", GUIDE.read_text(encoding="utf-8")
+    )
+    assert int(samples[1]) == command_line(["compare", "scene.xml"]).reference
+
+
+def test_the_readmes_renders() -> None:
+    """The picture is what `make picture` makes, and the demo's scenes exist."""
+    text = README.read_text(encoding="utf-8")
+    picture = re.search(
+        r"^picture:.*\n.* --spp (\d+) .*--picture (.*)$", (REPOSITORY / "Makefile").read_text(), re.MULTILINE
+    )
+    assert f"{picture[1]} samples per pixel]({picture[2]})" in text
+    scenes = re.findall(r"SCENE=(\w+)", text)
+    assert scenes
+    for scene in scenes:
+        assert (REPOSITORY / f"scenes/{scene}.xml").is_file()
+
+
 def test_the_mathematics_holds() -> None:
     """The page's program runs to its end."""
     program = "\n".join(blocks(REPOSITORY / "docs/mathematics.md", "python"))
