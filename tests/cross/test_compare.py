@@ -26,7 +26,7 @@ from cross.compare import (
 from cross.jobs import Stack
 from cross.page import file_name, save_curves, save_page, save_pictures
 from cross.reference import analytic_image
-from cross.scene import by_name
+from cross.scene import SCENES, by_name
 from cross.table import table
 
 SCENE = by_name("S1")
@@ -132,3 +132,11 @@ def test_table_and_page_show_everything(tmp_path: Path) -> None:
     assert page.count("<img ") == page.count('src="data:image/png;base64,') == 2
     for kind in ("pictures", "curves"):
         assert (tmp_path / file_name("S1", kind)).stat().st_size > 10_000
+
+
+def test_the_readme_counts_right() -> None:
+    """The scenes in a word, the samples in figures."""
+    text = " ".join((Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8").split())
+    number = {8: "eight", 9: "nine", 10: "ten"}[len(SCENES)]
+    assert f"renders the same {number} scenes" in text
+    assert f"error at {SPP[0]} to {SPP[-1]} samples per pixel" in text
