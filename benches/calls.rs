@@ -2,7 +2,7 @@
 //! choose on this CPU; a loop over inlined kernels would be vectorised.
 
 use crate::published::Published;
-use crate::scenes::{Scene, CAPS};
+use crate::scenes::Scene;
 use spherecap::batch::{Batch, Instructions, Samples};
 use spherecap::{Cap, Density, Offset, Sampler, Scalar, Strategy, Vec3};
 use std::hint::black_box;
@@ -24,7 +24,7 @@ macro_rules! calls {
     ($(fn $name:ident$(<$float:ident>)?($($argument:ident: $type:ty),*) $(-> $result:ty)? $body:block)*) => {$(
         #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
         #[inline(never)]
-        unsafe fn $name$(<$float: Scalar>)?($($argument: $type),*) $(-> $result)? $body
+        pub unsafe fn $name$(<$float: Scalar>)?($($argument: $type),*) $(-> $result)? $body
     )*};
 }
 calls! {
@@ -49,6 +49,12 @@ calls! {
     fn published_sample(cap: &Published, u0: f32, u1: f32) -> (glam::Vec3, f32) {
         cap.sample(u0, u1)
     }
+}
+
+/// As [`calls!`], but the library chooses the instructions.
+#[inline(never)]
+pub fn batch_sample(batch: &Batch<'_>, instructions: Instructions, u: [&[f32]; 2], samples: Samples<'_>) {
+    batch.sample_with(instructions, u, samples);
 }
 
 /// Inputs of the scalar calls.
@@ -104,7 +110,7 @@ impl<F: Scalar> Inputs<F> {
                     }
                 }
             };
-            Work { calls: CAPS * samples.max(1), run: Box::new(run) }
+            Work { calls: scenes.len() * samples.max(1), run: Box::new(run) }
         };
         let sampling = move || {
             for (i, sampler) in samplers.iter().enumerate() {
@@ -131,7 +137,7 @@ impl<F: Scalar> Inputs<F> {
                 }
             }
         };
-        let calls = CAPS * SAMPLES;
+        let calls = samplers.len() * SAMPLES;
         vec![
             with_preparation(0),
             Work { calls, run: Box::new(sampling) },
@@ -161,7 +167,7 @@ pub unsafe fn published_works<'a>(scenes: &'a [Scene], numbers: &'a [f32]) -> [W
                 }
             }
         };
-        Work { calls: CAPS * samples.max(1), run: Box::new(run) }
+        Work { calls: scenes.len() * samples.max(1), run: Box::new(run) }
     })
 }
 
@@ -188,14 +194,14 @@ impl Arrays {
         let Self { normal, centre, radius, u } = self;
         let [normal, centre] = [normal, centre].map(|v| Vec3::from(v.each_ref().map(Vec::as_slice)));
         let batch = Batch { strategy, normal, centre, radius };
-        let mut outputs = [(); 4].map(|()| vec![0.0; CAPS]);
+        let mut outputs = [(); 4].map(|()| vec![0.0; radius.len()]);
         let run = move || {
             let [x, y, z, pdf] = outputs.each_mut().map(|output| Some(&mut output[..]));
             let density = Density { solid_angle: pdf, projected_solid_angle: None };
             let samples = Samples { direction: Vec3::new(x, y, z), density, ..Samples::default() };
-            batch.sample_with(instructions, u.each_ref().map(Vec::as_slice), samples);
+            batch_sample(&batch, instructions, u.each_ref().map(Vec::as_slice), samples);
             black_box(&outputs);
         };
-        Work { calls: CAPS, run: Box::new(run) }
+        Work { calls: radius.len(), run: Box::new(run) }
     }
 }

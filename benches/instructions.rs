@@ -1,78 +1,105 @@
-//! How many instructions sampling takes: counted by Valgrind, so the same whatever else the machine does. Valgrind runs no
-//! AVX-512: batches are those of AVX2.
+//! How many instructions sampling takes: counted one by one, so the same whatever else the machine does.
 //!
-//! `make instructions`, or `cargo bench --bench instructions`. What is counted are the calls of `calls.rs`, and nothing around them.
+//! `make instructions`, or `cargo bench --bench instructions`. Prints tables, and writes all of them to `out/instructions.json`.
+//! What is counted are the calls of `calls.rs`, and nothing around them.
 
 #![allow(missing_docs)] // a program
 
 mod calls;
+mod json;
 mod published;
 mod scenes;
+mod steps;
 
 use calls::{published_works, Arrays, Inputs, Work, SAMPLES, TASKS};
-use scenes::{Random, CAPS, SEED};
+use scenes::{Random, Scene, CAPS, SEED};
 use spherecap::batch::Instructions;
 use spherecap::{Hemispheres, Strategy, Technique};
-use std::env;
-use std::process::{exit, Command};
+use std::io::{stdout, Write};
 
-/// Set when the program runs under Valgrind: what it is to do.
-const CHOICE: &str = "SPHERECAP_COUNT";
-
-const SETS: [&str; 4] = ["case 1", "case 2", "case 3", "mix"];
-const METHODS: [&str; 4] = ["solid_angle", "projected_bounded", "projected", "published"];
-const COLUMNS: [&str; 3] = [TASKS[4], TASKS[5], "AVX2 batch"];
-
-/// The functions whose instructions count.
-const COUNTED: [&str; 5] = [
-    "*::calls::prepare",
-    "*::calls::sample",
-    "*::calls::published_prepare",
-    "*::calls::published_sample",
-    "*::arrays::avx2",
+const TECHNIQUES: [(&str, Technique); 3] = [
+    ("solid_angle", Technique::SolidAngle),
+    ("projected_bounded", Technique::ProjectedBounded),
+    ("projected", Technique::Projected),
 ];
 
-/// Runs one piece of work once, and prints how many calls that was.
-fn run(set: usize, method: usize, column: usize) {
-    let mut random = Random(SEED);
-    let numbers: Vec<f32> = (0..4096).map(|_| random.unit()).collect();
-    let scenes = scenes::sets(&mut random).swap_remove(set).1;
-    let do_it = |mut works: Vec<Work<'_>>, index: usize| {
-        (works[index].run)();
-        print!("{}", works[index].calls);
-    };
-    let techniques = [Technique::SolidAngle, Technique::ProjectedBounded, Technique::Projected];
-    let Some(&technique) = techniques.get(method) else {
-        // SAFETY: `main` has found the CPU's features.
-        return do_it(unsafe { published_works(&scenes, &numbers) }.into(), 1 + column);
-    };
-    let strategy = Strategy { technique, hemispheres: Hemispheres::Front, defensive: 0.0 };
-    match column {
-        2 => do_it(vec![Arrays::new(&scenes, &numbers).work(Instructions::Avx2, strategy)], 0),
-        // SAFETY: `main` has found the CPU's features.
-        _ => do_it(unsafe { Inputs::new(strategy, &scenes, &numbers).works() }, 4 + column),
-    }
+/// Caps that count, of each set: one step takes microseconds.
+const COUNTED: usize = CAPS / 4;
+
+/// Where the functions begin that count.
+fn entries() -> [u64; 5] {
+    let functions = [
+        calls::prepare::<f32> as *const (),
+        calls::sample::<f32> as *const (),
+        calls::published_prepare as *const (),
+        calls::published_sample as *const (),
+        calls::batch_sample as *const (),
+    ];
+    functions.map(|function| function as u64)
 }
 
-/// Instructions per call, counted by running this program under Valgrind.
-fn count(set: usize, method: usize, column: usize) -> f64 {
-    let mut valgrind = Command::new("valgrind");
-    valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
-    valgrind.args(COUNTED.map(|function| format!("--toggle-collect={function}")));
-    valgrind.arg(env::current_exe().expect("programs know themselves"));
-    let output = valgrind.env(CHOICE, format!("{set} {method} {column}")).output().unwrap_or_else(|error| {
-        eprintln!("valgrind, which counts the instructions, does not start (is it installed?): {error}");
-        exit(1);
-    });
-    let report = String::from_utf8_lossy(&output.stderr);
-    let collected = report.split("Collected : ").nth(1).and_then(|rest| rest.split_whitespace().next());
-    let collected = collected.and_then(|number| number.parse().ok()).filter(|&count: &f64| count > 0.0);
-    let calls: Option<f64> = String::from_utf8_lossy(&output.stdout).parse().ok();
-    let (Some(collected), Some(calls)) = (collected, calls) else {
-        eprintln!("valgrind has counted nothing:\n{report}");
-        exit(1);
-    };
-    collected / calls
+/// The instructions of the batches that count.
+fn batches() -> impl Iterator<Item = Instructions> {
+    [Instructions::Avx2, Instructions::Avx512].into_iter().filter(|set| set.are_available())
+}
+
+/// A set's columns: preparation and one sample, and many, of scalars; and batches.
+fn columns() -> Vec<(String, &'static str)> {
+    let [.., one, many] = TASKS;
+    let batches = batches().map(|instructions| (instructions.to_string(), one));
+    [("f32".to_owned(), one), ("f32".to_owned(), many)].into_iter().chain(batches).collect()
+}
+
+/// The pieces of work of [`columns`] with one technique.
+///
+/// # Safety
+/// The CPU has AVX2 and FMA.
+unsafe fn works<'a>(inputs: &'a Inputs<f32>, arrays: &'a Arrays, strategy: Strategy<f32>) -> Vec<Work<'a>> {
+    // SAFETY: the caller's promise.
+    let mut works = unsafe { inputs.works() }.split_off(4);
+    works.extend(batches().map(|instructions| arrays.work(instructions, strategy)));
+    works
+}
+
+/// Counts and prints a line of a set's table.
+fn line(set: &str, method: &str, works: Vec<Work<'_>>) -> Vec<String> {
+    print!("{method:<20}");
+    let mut rows = Vec::new();
+    for (Work { calls, mut run }, (lane, task)) in works.into_iter().zip(columns()) {
+        let count = steps::count(&entries(), &mut run).expect("this program may trace its children");
+        let each = count as f64 / calls as f64;
+        print!("{each:>22.1}");
+        stdout().flush().expect("somebody reads this");
+        let [set, lane, method, task] = [set, &lane, method, task].map(json::quoted);
+        rows.push(format!(
+            "{{\"set\": {set}, \"lane\": {lane}, \"method\": {method}, \"task\": {task}, \"instructions\": {each:.2}}}"
+        ));
+    }
+    println!();
+    rows
+}
+
+/// Counts and prints a set's table.
+///
+/// # Safety
+/// The CPU has AVX2 and FMA.
+unsafe fn table(set: &str, scenes: &[Scene], numbers: &[f32]) -> Vec<String> {
+    print!("{set:<20}");
+    columns().iter().for_each(|(lane, task)| print!("{:>22}", if lane == "f32" { task } else { &lane[..] }));
+    println!();
+    let arrays = Arrays::new(scenes, numbers);
+    let mut rows = Vec::new();
+    for (method, technique) in TECHNIQUES {
+        let strategy = Strategy { technique, hemispheres: Hemispheres::Front, defensive: 0.0 };
+        let inputs = Inputs::new(strategy, scenes, numbers);
+        // SAFETY: the caller's promise.
+        rows.extend(line(set, method, unsafe { works(&inputs, &arrays, strategy) }));
+    }
+    // SAFETY: the caller's promise.
+    let [_, one, many] = unsafe { published_works(scenes, numbers) };
+    rows.extend(line(set, "published", vec![one, many]));
+    println!();
+    rows
 }
 
 fn main() {
@@ -80,21 +107,15 @@ fn main() {
         println!("this CPU lacks AVX2 or FMA: nothing to compare");
         return;
     }
-    if let Ok(choice) = env::var(CHOICE) {
-        let numbers: Vec<usize> = choice.split(' ').map(|n| n.parse().expect("a number")).collect();
-        return run(numbers[0], numbers[1], numbers[2]);
+    let mut random = Random(SEED);
+    let numbers: Vec<f32> = (0..4096).map(|_| random.unit()).collect();
+    println!("instructions per call, means over {COUNTED} caps; with {SAMPLES} samples: for one\n");
+    let mut rows = Vec::new();
+    for (set, scenes) in scenes::sets(&mut random) {
+        // SAFETY: the CPU has them.
+        rows.extend(unsafe { table(set, &scenes[..COUNTED], &numbers) });
     }
-    println!("instructions per call, means over {CAPS} caps; with {SAMPLES} samples: for one\n");
-    for (set, name) in SETS.iter().enumerate() {
-        print!("{name:<20}");
-        COLUMNS.iter().for_each(|column| print!("{column:>22}"));
-        println!();
-        for (method, name) in METHODS.iter().enumerate() {
-            print!("{name:<20}");
-            let columns = if *name == "published" { 2 } else { 3 };
-            (0..columns).for_each(|column| print!("{:>22.1}", count(set, method, column)));
-            println!();
-        }
-        println!();
-    }
+    let rows = [("rows", json::list(rows.into_iter()))];
+    json::write_json("instructions", "make instructions", SEED, &rows).expect("out is writable");
+    println!("all of this is in out/instructions.json");
 }
