@@ -27,7 +27,7 @@ INSTALLED := include/spherecap.h lib/libspherecap.a lib/libspherecap.so.$(VERSIO
 
 .DEFAULT_GOAL := help
 .PHONY: help demo cross test test-rust test-python test-long lint format build library install uninstall doc package msrv header accuracy \
-    bench instructions fits picture clean FORCE
+    bench instructions report fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -133,8 +133,15 @@ accuracy: ## Remake docs/accuracy.md from what the kernels give.
 bench: ## What sampling costs, beside solid angles and the published method; also as out/bench.json.
 	cargo bench --locked --bench cost
 
-instructions: ## How many instructions sampling takes; needs valgrind.
+instructions: ## How many instructions sampling takes; also as out/instructions.json.
 	cargo bench --locked --bench instructions
+
+report: build out/bench.json out/instructions.json out/maps.json ## Speed against error, as report/index.html: about ten minutes.
+	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m report
+
+# Remade where they are older than what they measure.
+out/bench.json out/instructions.json out/maps.json: out/%.json: Cargo.toml Cargo.lock $(shell find src benches -name '*.rs')
+	cargo bench --locked --bench $(if $(filter bench,$*),cost,$*)
 
 test-long: ## The random tests, with many more inputs than in `make test`: about ten minutes.
 	PROPTEST_CASES=2000000 cargo test --release --locked --test strata
@@ -147,6 +154,6 @@ picture: build ## Remake the picture of the README.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene cut_light --spp 4 --width 160 --picture docs/cut_light.png
 
 clean: ## Remove all that was built, rendered and installed here.
-	rm -rf target build out $(VENV) .venv-luxcore .venv-cycles mitsuba_plugin/spherecap/plugins
+	rm -rf target build out report $(VENV) .venv-luxcore .venv-cycles mitsuba_plugin/spherecap/plugins
 
 FORCE:

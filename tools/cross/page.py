@@ -138,7 +138,7 @@ def section(folder: Path) -> str:
     reached = f"{len(results['targets']) - len(missed)} of {len(results['targets'])} targets reached"
     size = f"{results['width']} \N{MULTIPLICATION SIGN} {results['height']} pixels"
     return (
-        f"<h2>Across renderers</h2><p>{size}, {results['seeds']} renders of each with different seeds, on "
+        f"<p>{size}, {results['seeds']} renders of each with different seeds, on "
         "one thread. Bias is that of the image mean; errors are relative, and RMSE is that of one render at "
         "so many samples per pixel. Work is CPU time until the same error, relative to Mitsuba's "
         "<code>area</code> with the same kind of sampler (independent or stratified).</p>"
@@ -158,6 +158,6 @@ def save_page(folder: Path) -> Path:
     page.write_text(
         '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>spherecap across renderers</title>'
         f'<meta name="viewport" content="width=device-width"><style>{style}</style></head>'
-        f"<body>{section(folder)}</body></html>\n"
+        f"<body><h2>Across renderers</h2>{section(folder)}</body></html>\n"
     )
     return page

@@ -9,6 +9,7 @@ import mitsuba as mi
 import numpy as np
 from spherecap_command.compare import render
 from spherecap_command.errors import UserError
+from spherecap_command.scene import OURS, ParsedScene
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 SCENES = REPOSITORY / "scenes"
@@ -32,6 +33,15 @@ def load_scene(name: str, emitter: str, **parameters: object) -> "mi.Scene":
     path = scene_file(name)
     texts = {key: str(value) for key, value in parameters.items()}
     return mi.load_file(str(path), emitter=emitter, **texts)
+
+
+def load_technique(name: str, technique: str, **parameters: object) -> "mi.Scene":
+    """Load a scene with our emitter and one of its techniques, which the scene files do not choose."""
+    texts = {key: str(value) for key, value in parameters.items()}
+    scene = ParsedScene(scene_file(name), {"emitter": OURS, **texts})
+    for light in scene.convertible:
+        scene.state.nodes[light.node].props["technique"] = technique
+    return scene.load(OURS)
 
 
 def render_stack(scene: "mi.Scene", spp: int, seeds: range) -> np.ndarray:
