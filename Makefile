@@ -26,8 +26,8 @@ INSTALLED := include/spherecap.h lib/libspherecap.a lib/libspherecap.so.$(VERSIO
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross test test-rust test-python test-long lint format build library install uninstall doc package msrv header accuracy \
-    bench instructions report fits picture clean FORCE
+.PHONY: help demo cross test test-rust prepare-test-python test-python test-long lint format build library install uninstall doc \
+    package msrv header accuracy bench instructions report fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -38,12 +38,17 @@ demo: build ## Render SCENE with `area` and with `spherecap`; print a table, sav
 cross: build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed .venv-cycles/installed ## Compare several renderers.
 	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m cross
 
-test: lint test-rust package test-python ## Run all tests.
+# What Python's tests need is built and downloaded while Rust's tests run.
+test: lint ## Run all tests.
+	$(MAKE) --jobs=2 --output-sync test-rust prepare-test-python
+	$(MAKE) package test-python
 
 test-rust: ## The library and its C ABI.
 	cargo test --release --locked -- --show-output
 
-test-python: build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed ## The fits, the plugin and the renders.
+prepare-test-python: build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed
+
+test-python: prepare-test-python ## The fits, the plugin and the renders.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python -m pytest tests
 
 lint: $(VENV)/installed doc ## Formatting and warnings, as errors.
