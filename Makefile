@@ -8,7 +8,7 @@ PLUGIN := mitsuba_plugin/spherecap/plugins/spherecap.so
 LIBRARY := target/release/libspherecap.a
 SHARED := target/release/libspherecap.so
 C_RENDERER := build/renderer
-IRRADIANCE := target/release/examples/irradiance
+IRRADIANCE := build/irradiance
 CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h examples/*.c)
 
 # `make demo SCENE=cut_light VARIANT=scalar_rgb SPP=16`
@@ -80,8 +80,11 @@ $(C_RENDERER): tests/c/renderer.c include/spherecap.h $(LIBRARY)
 	mkdir -p $(@D)
 	$(CC) -std=c99 -O2 -Wall -Wextra -Werror -pedantic -Iinclude $< $(LIBRARY) -lpthread -ldl -lm -o $@
 
-$(IRRADIANCE): FORCE
-	cargo build --release --locked --example irradiance
+# Not by cargo, which would compile everything that the tests need for it, too.
+$(IRRADIANCE): examples/irradiance.rs $(LIBRARY)
+	mkdir -p $(@D)
+	rustc --edition 2021 -O -C panic=abort -L dependency=target/release/deps --extern spherecap=target/release/libspherecap.rlib \
+	    $< -o $@
 
 # The other renderers are large, and want other versions of the same packages: each has an environment of its own.
 .venv-%/installed: tools/cross/requirements-%.txt

@@ -14,7 +14,7 @@ from spherecap_command.errors import UserError
 
 from cross.scene import Scene
 
-PROGRAM = REPOSITORY / "target" / "release" / "examples" / "irradiance"
+PROGRAM = REPOSITORY / "build" / "irradiance"
 
 
 def floor_of(scene: Scene, width: int, height: int) -> FloorScene:
