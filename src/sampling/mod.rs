@@ -516,7 +516,7 @@ impl<L: Lane> Sampler<L> {
         [unit(u0), unit(u1)]
     }
 
-    /// The inverse of `sample_side`.
+    /// The inverse of [`Sampler::sample_part`], but for its plain part.
     #[inline(always)]
     fn invert_side(&self, centre_side: L::Mask, offset: Offset<L>) -> [L; 2] {
         let share = self.ellipse.crescent_share;
