@@ -43,11 +43,13 @@ typedef enum spherecap_op_t {
     SPHERECAP_OP_NOT = 12,
     // b where the truth value a is true, else c: numbers.
     SPHERECAP_OP_SELECT = 13,
-    // The bit pattern of a, read as `uint32_t`, converted to the nearest number.
-    SPHERECAP_OP_BITS = 14,
-    // The number whose bit pattern is a, truncated to a `uint32_t`. Where a is NaN or not in [0, 2^32) any number does: it
+    // The number whose bit pattern is that of a, an `uint32_t`, and 0x7f800000: a without its sign and its significand.
+    SPHERECAP_OP_POWER_OF_TWO = 14,
+    // The bit pattern of a, read as `int32_t`, converted to the nearest number.
+    SPHERECAP_OP_BITS = 15,
+    // The number whose bit pattern is a, truncated to an `int32_t`. Where a is NaN or not in [0, 2^31) any number does: it
     // is not used.
-    SPHERECAP_OP_FLOAT_OF_BITS = 15,
+    SPHERECAP_OP_FLOAT_OF_BITS = 16,
 } spherecap_op_t;
 
 // How directions are distributed. Passed as `uint32_t`.

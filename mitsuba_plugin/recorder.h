@@ -110,13 +110,24 @@ private:
                 return jit_var_not(a());
             case SPHERECAP_OP_SELECT:
                 return jit_var_select(a(), b(), c());
+            case SPHERECAP_OP_POWER_OF_TWO:
+                return power_of_two(a());
             case SPHERECAP_OP_BITS:
-                return cast(cast(a(), VarType::UInt32, true), VarType::Float32, false, true);
+                return cast(cast(a(), VarType::Int32, true), VarType::Float32, false, true);
             case SPHERECAP_OP_FLOAT_OF_BITS:
-                return cast(cast(a(), VarType::UInt32, false), VarType::Float32, true, true);
+                return cast(cast(a(), VarType::Int32, false), VarType::Float32, true, true);
             }
             return 0;
         });
+    }
+
+    static uint32_t power_of_two(uint32_t node) {
+        const uint32_t bits = cast(node, VarType::UInt32, true);
+        const uint32_t exponent = jit_var_u32(Backend, 0x7f800000);
+        const uint32_t power = jit_var_and(bits, exponent);
+        jit_var_dec_ref(exponent);
+        jit_var_dec_ref(bits);
+        return cast(power, VarType::Float32, true, true);
     }
 
     static uint32_t cast(uint32_t node, VarType type, bool reinterpret, bool consume = false) {

@@ -183,7 +183,10 @@ pub trait Lane:
     fn le(self, other: Self) -> Self::Mask;
     /// `yes` where the mask is true, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// The bit pattern, read as an integer and converted to the nearest number of this type.
+    /// The largest power of two that is not above the absolute value: the number without its sign and its significand. 0 for
+    /// subnormal numbers, infinity for NaN.
+    fn power_of_two(self) -> Self;
+    /// The bit pattern, read as a signed integer and converted to the nearest number of this type.
     fn bits(self) -> Self;
     /// The inverse of [`Lane::bits`]: a number in [0, 2^31) (f64: 2^63), truncated, becomes a bit pattern. Every other number becomes
     /// any.

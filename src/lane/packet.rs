@@ -56,7 +56,8 @@ macro_rules! packet {
         load: $load:ident, store: $store:ident, set: $set:ident,
         neg: $neg:ident, add: $add:ident, sub: $sub:ident, mul: $mul:ident, div: $div:ident,
         fma: $fma:ident, sqrt: $sqrt:ident, abs: $abs:ident, min: $min:ident, max: $max:ident,
-        lt: $lt:ident, le: $le:ident, select: $select:ident, bits: $bits:ident, float_of_bits: $float_of_bits:ident,
+        lt: $lt:ident, le: $le:ident, select: $select:ident,
+        power_of_two: $power_of_two:ident, bits: $bits:ident, float_of_bits: $float_of_bits:ident,
         and: $and:ident, or: $or:ident, not: $not:ident, any: $any:ident, all: $all:ident,
     ) => {
         /// Numbers. Made only where the CPU has the instructions: `arrays.rs` sees to that.
@@ -114,6 +115,7 @@ macro_rules! packet {
             packet!(@function max(other) -> Self $max);
             packet!(@function lt(other) -> $mask $lt);
             packet!(@function le(other) -> $mask $le);
+            packet!(@function power_of_two() -> Self $power_of_two);
             packet!(@function bits() -> Self $bits);
             packet!(@function float_of_bits() -> Self $float_of_bits);
         }

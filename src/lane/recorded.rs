@@ -33,9 +33,11 @@ pub(crate) enum Op {
     Not,
     /// The second operand where the first, a truth value, is true, else the third.
     Select,
-    /// The bit pattern, read as an unsigned integer and converted to the nearest number.
+    /// The number without its sign and its significand.
+    PowerOfTwo,
+    /// The bit pattern, read as a signed integer and converted to the nearest number.
     Bits,
-    /// A number in [0, 2^32), truncated, as bit pattern.
+    /// A number in [0, 2^31), truncated, as bit pattern.
     FloatOfBits,
 }
 
@@ -377,6 +379,9 @@ impl<'t> Lane for Recorded<'t> {
                 Self::Node(node.then(Op::Select, &operands))
             }
         }
+    }
+    fn power_of_two(self) -> Self {
+        Self::apply(Op::PowerOfTwo, [self], |[a]| a.power_of_two())
     }
     fn bits(self) -> Self {
         Self::apply(Op::Bits, [self], |[a]| Lane::bits(a))

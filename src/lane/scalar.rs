@@ -16,7 +16,7 @@ impl Mask for bool {
 }
 
 macro_rules! scalar_lane {
-    ($float:ident, $bits:ident, $truncate:ident, $fits:expr) => {
+    ($float:ident, $bits:ident, $int:ident, $truncate:ident, $fits:expr) => {
         scalar_lane!(@operators $float, Add add, Sub sub, Mul mul, Div div);
 
         impl Blend<bool> for $float {
@@ -76,8 +76,12 @@ macro_rules! scalar_lane {
                 if mask { yes } else { no }
             }
             #[inline(always)]
+            fn power_of_two(self) -> Self {
+                $float::from_bits(self.to_bits() & $float::INFINITY.to_bits())
+            }
+            #[inline(always)]
             fn bits(self) -> Self {
-                self.to_bits() as $float
+                self.to_bits() as $int as $float
             }
             #[inline(always)]
             fn float_of_bits(self) -> Self {
@@ -95,8 +99,8 @@ macro_rules! scalar_lane {
         }
     )*};
 }
-scalar_lane!(f32, u32, truncate_single, SINGLE);
-scalar_lane!(f64, u64, truncate_double, DOUBLE);
+scalar_lane!(f32, u32, i32, truncate_single, SINGLE);
+scalar_lane!(f64, u64, i64, truncate_double, DOUBLE);
 
 // Rust's `as` takes six more instructions to saturate.
 macro_rules! truncate {

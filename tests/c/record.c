@@ -60,7 +60,7 @@ static uint64_t operation(void *user, spherecap_op_t op, const uint64_t *operand
     graph_t *graph = (graph_t *)user;
     const int arity = op == SPHERECAP_OP_FMA || op == SPHERECAP_OP_SELECT ? 3
                       : (op >= SPHERECAP_OP_NEG && op <= SPHERECAP_OP_SQRT) || op == SPHERECAP_OP_NOT ||
-                              op >= SPHERECAP_OP_BITS
+                              op >= SPHERECAP_OP_POWER_OF_TWO
                           ? 1
                           : 2;
     float x[3] = {0.0f, 0.0f, 0.0f};
@@ -113,11 +113,14 @@ static uint64_t operation(void *user, spherecap_op_t op, const uint64_t *operand
     case SPHERECAP_OP_SELECT:
         result = a != 0.0f ? b : c;
         break;
+    case SPHERECAP_OP_POWER_OF_TWO:
+        result = as_float(as_bits(a) & 0x7f800000);
+        break;
     case SPHERECAP_OP_BITS:
-        result = (float)as_bits(a);
+        result = (float)(int32_t)as_bits(a);
         break;
     case SPHERECAP_OP_FLOAT_OF_BITS:
-        result = 0.0f <= a && a < 4294967296.0f ? as_float((uint32_t)a) : 0.0f;
+        result = 0.0f <= a && a < 2147483648.0f ? as_float((uint32_t)a) : 0.0f;
         break;
     }
     ++graph->operations;

@@ -241,7 +241,7 @@ def test_recording_has_a_budget():
     it.p, it.n = mi.Point3f(rng.next_float32()), dr.normalize(mi.Normal3f(rng.next_float32(), 0, 1))
     u = mi.Point2f(rng.next_float32(), rng.next_float32())
     dr.eval(it, u)
-    budget = {"sample": 580, "pdf": 310}
+    budget = {"sample": 450, "pdf": 250}
     counts = {}
     for name, parameters in (("area", {}), ("spherecap", {"hemispheres": "front", "defensive": 0.0})):
         emitter = light(name, **parameters).emitter()

@@ -8,7 +8,8 @@ packet! {
     load: _mm256_loadu_ps, store: _mm256_storeu_ps, set: _mm256_set1_ps,
     neg: neg, add: _mm256_add_ps, sub: _mm256_sub_ps, mul: _mm256_mul_ps, div: _mm256_div_ps,
     fma: _mm256_fmadd_ps, sqrt: _mm256_sqrt_ps, abs: abs, min: _mm256_min_ps, max: _mm256_max_ps,
-    lt: lt, le: le, select: select, bits: bits, float_of_bits: float_of_bits,
+    lt: lt, le: le, select: select,
+    power_of_two: power_of_two, bits: bits, float_of_bits: float_of_bits,
     and: _mm256_and_ps, or: _mm256_or_ps, not: not, any: any, all: all,
 }
 
@@ -42,14 +43,16 @@ fn select(mask: __m256, yes: __m256, no: __m256) -> __m256 {
     _mm256_blendv_ps(no, yes, mask)
 }
 
-/// Conversions are of signed integers: the halves convert exactly, and their sum is rounded once.
+#[inline]
+#[target_feature(enable = "avx2,fma")]
+fn power_of_two(a: __m256) -> __m256 {
+    _mm256_and_ps(a, _mm256_set1_ps(f32::INFINITY))
+}
+
 #[inline]
 #[target_feature(enable = "avx2,fma")]
 fn bits(a: __m256) -> __m256 {
-    let bits = _mm256_castps_si256(a);
-    let high = _mm256_cvtepi32_ps(_mm256_srli_epi32::<16>(bits));
-    let low = _mm256_cvtepi32_ps(_mm256_and_si256(bits, _mm256_set1_epi32(0xffff)));
-    _mm256_fmadd_ps(high, _mm256_set1_ps(65536.0), low)
+    _mm256_cvtepi32_ps(_mm256_castps_si256(a))
 }
 
 #[inline]

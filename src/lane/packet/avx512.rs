@@ -8,7 +8,8 @@ packet! {
     load: _mm512_loadu_ps, store: _mm512_storeu_ps, set: _mm512_set1_ps,
     neg: neg, add: _mm512_add_ps, sub: _mm512_sub_ps, mul: _mm512_mul_ps, div: _mm512_div_ps,
     fma: _mm512_fmadd_ps, sqrt: _mm512_sqrt_ps, abs: _mm512_abs_ps, min: _mm512_min_ps, max: _mm512_max_ps,
-    lt: lt, le: le, select: select, bits: bits, float_of_bits: float_of_bits,
+    lt: lt, le: le, select: select,
+    power_of_two: power_of_two, bits: bits, float_of_bits: float_of_bits,
     and: and, or: or, not: not, any: any, all: all,
 }
 
@@ -37,10 +38,18 @@ fn select(mask: __mmask16, yes: __m512, no: __m512) -> __m512 {
     _mm512_mask_blend_ps(mask, no, yes)
 }
 
+/// By integers, like [`neg`].
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn power_of_two(a: __m512) -> __m512 {
+    let infinity = _mm512_castps_si512(_mm512_set1_ps(f32::INFINITY));
+    _mm512_castsi512_ps(_mm512_and_si512(_mm512_castps_si512(a), infinity))
+}
+
 #[inline]
 #[target_feature(enable = "avx512f")]
 fn bits(a: __m512) -> __m512 {
-    _mm512_cvtepu32_ps(_mm512_castps_si512(a))
+    _mm512_cvtepi32_ps(_mm512_castps_si512(a))
 }
 
 #[inline]
