@@ -35,7 +35,9 @@ help: ## List the targets.
 demo: build ## Render SCENE with `area` and with `spherecap`; print a table, save a picture below out/.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene $(SCENE) --variant $(VARIANT) --spp $(SPP)
 
-cross: build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed .venv-cycles/installed ## Compare several renderers.
+# Two of them at a time: one downloads while another compiles.
+cross: ## Compare several renderers.
+	$(MAKE) --jobs=2 build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed .venv-cycles/installed
 	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m cross
 
 # What Python's tests need is built and downloaded while Rust's tests run.

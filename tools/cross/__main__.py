@@ -3,18 +3,27 @@
 import json
 import sys
 import time
+from concurrent.futures import ProcessPoolExecutor
 
 from renderlab.scenes import OUTPUT
 from spherecap_command.errors import UserError
 from tqdm import tqdm
 
-from cross.compare import HEIGHT, SEEDS, WIDTH, all_work, measure_scene, targets
-from cross.jobs import RENDERERS, carry_out, check
+from cross.compare import HEIGHT, SEEDS, WIDTH, Series, all_work, measure_scene, targets
+from cross.jobs import RENDERERS, Stack, carry_out, check
 from cross.page import save_curves, save_page, save_pictures
-from cross.scene import SCENES
+from cross.scene import SCENES, Scene
 from cross.table import table
 
 FOLDER = OUTPUT / "cross"
+
+
+def evaluate(scene: Scene, stacks: dict[tuple[Series, int], Stack]) -> dict:
+    """Measure a scene's renders, save its pictures, and return the numbers."""
+    numbers, reference = measure_scene(scene, stacks)
+    save_pictures(FOLDER, scene, stacks, reference)
+    save_curves(FOLDER, numbers)
+    return numbers
 
 
 def main() -> None:
@@ -31,13 +40,12 @@ def main() -> None:
 
         done = carry_out([(x.renderer, x.job(scene, spp)) for x, scene, spp in work], progress=progress)
     stacks = {key: stack for key, stack in zip(work, done, strict=True)}
-    scenes = []
-    for scene in tqdm(SCENES, unit="scene", desc="measuring"):
-        own = {(x, spp): stack for (x, where, spp), stack in stacks.items() if where == scene}
-        numbers, reference = measure_scene(scene, own)
-        scenes.append(numbers)
-        save_pictures(FOLDER, scene, own, reference)
-        save_curves(FOLDER, numbers)
+    by_scene = [
+        {(x, spp): stack for (x, where, spp), stack in stacks.items() if where == scene} for scene in SCENES
+    ]
+    with ProcessPoolExecutor() as pool:
+        measuring = pool.map(evaluate, SCENES, by_scene)
+        scenes = list(tqdm(measuring, total=len(SCENES), unit="scene", desc="measuring"))
     results = {
         "width": WIDTH,
         "height": HEIGHT,

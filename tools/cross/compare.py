@@ -20,8 +20,8 @@ from cross.worker import Job
 WIDTH, HEIGHT = 128, 96
 SPP = (1, 4, 16, 64, 256)
 SEEDS = (1, 2, 3, 4)
-# Samples per pixel of the images that are held against the reference. What of the sphere is above the floor
-# in S4 is so little that uniform directions leave too much noise in the mean of 256.
+# Samples per pixel of the images that are held against the reference, where they are more than the most of
+# SPP. What of the sphere is above the floor in S4 is so little that uniform directions leave too much noise.
 PRECISE_SPP = {"S4": 1296}
 # The squared error's own scale: all but the black disc inside the light counts on an open floor; penumbrae
 # that are nearly black would decide alone elsewhere (see `spherecap_command.measure`).
@@ -53,6 +53,11 @@ class Series:
     light_sampling: str
     sampler: str
     is_independent: bool = False
+
+    @property
+    def is_uniform(self) -> bool:
+        """Tell whether the whole light is sampled uniformly, what is below the horizon included."""
+        return self.light_sampling in (BUILT_IN, "cone")
 
     def renders(self, scene: Scene) -> bool:
         """Tell whether it can render a scene: the C renderer knows direct light only."""
@@ -108,13 +113,13 @@ def allowed_bias(found: dict[str, float]) -> float:
 
 def spp_of(series: Series, scene: Scene) -> tuple[int, ...]:
     """Return the numbers of samples per pixel that a series is rendered with."""
-    precise = precise_spp(scene)
+    precise = precise_spp(series, scene)
     return SPP if series.is_independent or precise in SPP else (*SPP, precise)
 
 
-def precise_spp(scene: Scene) -> int:
+def precise_spp(series: Series, scene: Scene) -> int:
     """Return the samples per pixel that are enough to be held against the reference."""
-    return PRECISE_SPP.get(scene.name, SPP[-1])
+    return PRECISE_SPP.get(scene.name, SPP[-1]) if series.is_uniform else SPP[-1]
 
 
 def all_work() -> list[tuple[Series, Scene, int]]:
@@ -219,7 +224,7 @@ def slope(spp: list[float], rmse: list[float]) -> float:
 def measure_scene(scene: Scene, stacks: dict[tuple[Series, int], Stack]) -> tuple[dict, Reference]:
     """Return all numbers of one scene, and its reference."""
     series_here = series_of(scene)
-    precise = {x: stacks[x, precise_spp(scene)] for x in series_here if not x.is_independent}
+    precise = {x: stacks[x, precise_spp(x, scene)] for x in series_here if not x.is_independent}
     reference = reference_for(scene, precise)
     rows = {}
     for series in series_here:
