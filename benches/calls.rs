@@ -1,18 +1,30 @@
 //! The pieces of work. Scalars are timed through calls that cannot be inlined, compiled for the instructions that the C ABI would
-//! choose on this CPU; a loop over inlined kernels would be vectorised.
+//! choose on this CPU; a loop over inlined kernels would be vectorised. One sample is also drawn in one call with its
+//! preparation and a technique that the compiler knows, as in a renderer that inlines the library: what that sample has no
+//! use for is neither computed nor stored.
 
 use crate::published::Published;
 use crate::scenes::Scene;
 use spherecap::batch::{Batch, Instructions, Samples};
-use spherecap::{Cap, Density, Offset, Sampler, Scalar, Strategy, Vec3};
+use spherecap::{Cap, Density, Hemispheres, Lane, Offset, Sampler, Scalar, Strategy, Technique, Vec3};
 use std::hint::black_box;
 
 /// Samples of a cap where there are many.
 pub const SAMPLES: usize = 16;
 
 /// What is timed, per call: columns of the table.
-pub const TASKS: [&str; 6] =
-    ["prepare", "sample", "pdf", "invert", "prepare + 1 sample", "prepare + 16 samples"];
+pub const TASKS: [&str; 7] =
+    ["prepare", "sample", "pdf", "invert", "prepare, 1 sample", "prepare + 1 sample", "prepare + 16 samples"];
+
+pub const TECHNIQUES: [(&str, Technique); 3] = [
+    ("solid_angle", Technique::SolidAngle),
+    ("projected_bounded", Technique::ProjectedBounded),
+    ("projected", Technique::Projected),
+];
+
+pub fn strategy<L: Lane>(technique: Technique) -> Strategy<L> {
+    Strategy { technique, hemispheres: Hemispheres::Front, defensive: L::lit(0.0) }
+}
 
 /// Something to time or count: how many calls it makes, and a function that makes them.
 pub struct Work<'a> {
@@ -21,16 +33,21 @@ pub struct Work<'a> {
 }
 
 macro_rules! calls {
-    ($(fn $name:ident$(<$float:ident>)?($($argument:ident: $type:ty),*) $(-> $result:ty)? $body:block)*) => {$(
+    ($(
+        fn $name:ident$(<$float:ident$(, $technique:ident)?>)?($($argument:ident: $type:ty),*) $(-> $result:ty)? $body:block
+    )*) => {$(
         #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
         #[inline(never)]
-        pub unsafe fn $name$(<$float: Scalar>)?($($argument: $type),*) $(-> $result)? $body
+        pub unsafe fn $name$(<$float: Scalar$(, const $technique: usize)?>)?($($argument: $type),*) $(-> $result)? $body
     )*};
 }
 calls! {
     fn prepare<F>(strategy: &Strategy<F>, scene: &[F; 7], sampler: &mut Sampler<F>) {
-        let [nx, ny, nz, cx, cy, cz, radius] = *scene;
-        *sampler = Sampler::new(Cap::new(Vec3::new(nx, ny, nz), Vec3::new(cx, cy, cz), radius), *strategy);
+        *sampler = Sampler::new(cap(scene), *strategy);
+    }
+    fn prepare_and_sample<F, TECHNIQUE>(scene: &[F; 7], u0: F, u1: F) -> (Vec3<F>, F) {
+        let sample = Sampler::new(cap(scene), strategy(TECHNIQUES[TECHNIQUE].1)).sample(u0, u1);
+        (sample.direction, sample.density.solid_angle)
     }
     fn sample<F>(sampler: &Sampler<F>, u0: F, u1: F) -> (Vec3<F>, F) {
         let sample = sampler.sample(u0, u1);
@@ -49,6 +66,16 @@ calls! {
     fn published_sample(cap: &Published, u0: f32, u1: f32) -> (glam::Vec3, f32) {
         cap.sample(u0, u1)
     }
+    fn published_prepare_and_sample(scene: &Scene, u0: f32, u1: f32) -> (glam::Vec3, f32) {
+        let Scene { normal, centre, radius } = *scene;
+        Published::new(normal.into(), centre.into(), radius).sample(u0, u1)
+    }
+}
+
+#[inline(always)]
+fn cap<F: Scalar>(scene: &[F; 7]) -> Cap<F> {
+    let [nx, ny, nz, cx, cy, cz, radius] = *scene;
+    Cap::new(Vec3::new(nx, ny, nz), Vec3::new(cx, cy, cz), radius)
 }
 
 /// As [`calls!`], but the library chooses the instructions.
@@ -112,6 +139,18 @@ impl<F: Scalar> Inputs<F> {
             };
             Work { calls: scenes.len() * samples.max(1), run: Box::new(run) }
         };
+        let at_once = match strategy.technique {
+            Technique::SolidAngle => prepare_and_sample::<F, 0>,
+            Technique::ProjectedBounded => prepare_and_sample::<F, 1>,
+            Technique::Projected => prepare_and_sample::<F, 2>,
+        };
+        let preparing_and_sampling = move || {
+            for (i, scene) in scenes.iter().enumerate() {
+                let (u0, u1) = u(i, 0);
+                // SAFETY: the caller's promise.
+                black_box(unsafe { at_once(scene, u0, u1) });
+            }
+        };
         let sampling = move || {
             for (i, sampler) in samplers.iter().enumerate() {
                 for j in 0..SAMPLES {
@@ -144,31 +183,44 @@ impl<F: Scalar> Inputs<F> {
             Work { calls, run: Box::new(densities) },
             Work { calls, run: Box::new(inverting) },
             with_preparation(1),
+            Work { calls: scenes.len(), run: Box::new(preparing_and_sampling) },
             with_preparation(SAMPLES),
         ]
     }
 }
 
-/// The published method's preparation, and it with one sample and many.
+/// The published method's [`TASKS`] but for samples and densities alone, and the inverse, which it has not.
 ///
 /// # Safety
 /// The CPU has AVX2 and FMA.
-pub unsafe fn published_works<'a>(scenes: &'a [Scene], numbers: &'a [f32]) -> [Work<'a>; 3] {
-    [0, 1, SAMPLES].map(|samples| {
+pub unsafe fn published_works<'a>(scenes: &'a [Scene], numbers: &'a [f32]) -> [Work<'a>; 4] {
+    let u = move |i: usize, j: usize| {
+        let k = 2 * ((i + j * 61) % (numbers.len() / 2));
+        (numbers[k], numbers[k + 1])
+    };
+    let at_once = move || {
+        for (i, scene) in scenes.iter().enumerate() {
+            let (u0, u1) = u(i, 0);
+            // SAFETY: the caller's promise.
+            black_box(unsafe { published_prepare_and_sample(scene, u0, u1) });
+        }
+    };
+    let [none, one, many] = [0, 1, SAMPLES].map(|samples| {
         let mut cap = Published::new(scenes[0].normal.into(), scenes[0].centre.into(), scenes[0].radius);
         let run = move || {
             for (i, scene) in scenes.iter().enumerate() {
                 // SAFETY: the caller's promise.
                 unsafe { published_prepare(scene, &mut cap) };
                 for j in 0..samples {
-                    let k = 2 * ((i + j * 61) % (numbers.len() / 2));
+                    let (u0, u1) = u(i, j);
                     // SAFETY: the caller's promise.
-                    black_box(unsafe { published_sample(&cap, numbers[k], numbers[k + 1]) });
+                    black_box(unsafe { published_sample(&cap, u0, u1) });
                 }
             }
         };
-        Work { calls: scenes.len() * samples.max(1), run: Box::new(run) }
-    })
+        Work { calls: scenes.len() * samples.max(1), run: Box::new(run) as Box<dyn FnMut()> }
+    });
+    [none, one, Work { calls: scenes.len(), run: Box::new(at_once) }, many]
 }
 
 /// The same caps as arrays.

@@ -11,23 +11,13 @@ mod report;
 mod scenes;
 mod timing;
 
-use calls::{published_works, Arrays, Inputs, SAMPLES, TASKS};
+use calls::{published_works, strategy, Arrays, Inputs, SAMPLES, TASKS, TECHNIQUES};
 use published::Published;
 use report::Row;
 use scenes::{Random, Scene, CAPS, SEED};
 use spherecap::batch::Instructions;
-use spherecap::{Cap, Hemispheres, Lane, Strategy, Technique};
+use spherecap::Cap;
 use timing::{median, ratio, rounds, ROUNDS};
-
-const TECHNIQUES: [(&str, Technique); 3] = [
-    ("solid_angle", Technique::SolidAngle),
-    ("projected_bounded", Technique::ProjectedBounded),
-    ("projected", Technique::Projected),
-];
-
-fn strategy<L: Lane>(technique: Technique) -> Strategy<L> {
-    Strategy { technique, hemispheres: Hemispheres::Front, defensive: L::lit(0.0) }
-}
 
 /// The published method samples what it claims: its weights average to the projected solid angle. A bench of something else
 /// would be no comparison.
@@ -54,7 +44,7 @@ fn check_published(scenes: &[Scene], numbers: &[f32]) {
 /// # Safety
 /// The CPU has AVX2 and FMA.
 unsafe fn measure(set: &'static str, scenes: &[Scene], numbers: &[f32]) -> Vec<Row> {
-    let [prepare, .., one, many] = TASKS;
+    let [prepare, .., apart, one, many] = TASKS;
     let single = TECHNIQUES.map(|(_, t)| Inputs::<f32>::new(strategy(t), scenes, numbers));
     let double = TECHNIQUES.map(|(_, t)| Inputs::<f64>::new(strategy(t), scenes, numbers));
     let arrays = Arrays::new(scenes, numbers);
@@ -64,7 +54,7 @@ unsafe fn measure(set: &'static str, scenes: &[Scene], numbers: &[f32]) -> Vec<R
         // SAFETY: the caller's promise.
         works.extend(unsafe { inputs.works() });
     }
-    names.extend([prepare, one, many].map(|task| ("f32".to_owned(), "published", task)));
+    names.extend([prepare, apart, one, many].map(|task| ("f32".to_owned(), "published", task)));
     // SAFETY: the caller's promise.
     works.extend(unsafe { published_works(scenes, numbers) });
     for ((method, _), inputs) in TECHNIQUES.iter().zip(&double) {

@@ -11,28 +11,26 @@ mod published;
 mod scenes;
 mod steps;
 
-use calls::{published_works, Arrays, Inputs, Work, SAMPLES, TASKS};
+use calls::{published_works, strategy, Arrays, Inputs, Work, SAMPLES, TASKS, TECHNIQUES};
 use scenes::{Random, Scene, CAPS, SEED};
 use spherecap::batch::Instructions;
-use spherecap::{Hemispheres, Strategy, Technique};
+use spherecap::Strategy;
 use std::io::{stdout, Write};
-
-const TECHNIQUES: [(&str, Technique); 3] = [
-    ("solid_angle", Technique::SolidAngle),
-    ("projected_bounded", Technique::ProjectedBounded),
-    ("projected", Technique::Projected),
-];
 
 /// Caps that count, of each set: one step takes microseconds.
 const COUNTED: usize = CAPS / 4;
 
 /// Where the functions begin that count.
-fn entries() -> [u64; 5] {
+fn entries() -> [u64; 9] {
     let functions = [
         calls::prepare::<f32> as *const (),
         calls::sample::<f32> as *const (),
+        calls::prepare_and_sample::<f32, 0> as *const (),
+        calls::prepare_and_sample::<f32, 1> as *const (),
+        calls::prepare_and_sample::<f32, 2> as *const (),
         calls::published_prepare as *const (),
         calls::published_sample as *const (),
+        calls::published_prepare_and_sample as *const (),
         calls::batch_sample as *const (),
     ];
     functions.map(|function| function as u64)
@@ -45,9 +43,9 @@ fn batches() -> impl Iterator<Item = Instructions> {
 
 /// A set's columns: preparation and one sample, and many, of scalars; and batches.
 fn columns() -> Vec<(String, &'static str)> {
-    let [.., one, many] = TASKS;
+    let [.., apart, one, many] = TASKS;
     let batches = batches().map(|instructions| (instructions.to_string(), one));
-    [("f32".to_owned(), one), ("f32".to_owned(), many)].into_iter().chain(batches).collect()
+    [apart, one, many].map(|task| ("f32".to_owned(), task)).into_iter().chain(batches).collect()
 }
 
 /// The pieces of work of [`columns`] with one technique.
@@ -90,14 +88,14 @@ unsafe fn table(set: &str, scenes: &[Scene], numbers: &[f32]) -> Vec<String> {
     let arrays = Arrays::new(scenes, numbers);
     let mut rows = Vec::new();
     for (method, technique) in TECHNIQUES {
-        let strategy = Strategy { technique, hemispheres: Hemispheres::Front, defensive: 0.0 };
+        let strategy = strategy(technique);
         let inputs = Inputs::new(strategy, scenes, numbers);
         // SAFETY: the caller's promise.
         rows.extend(line(set, method, unsafe { works(&inputs, &arrays, strategy) }));
     }
     // SAFETY: the caller's promise.
-    let [_, one, many] = unsafe { published_works(scenes, numbers) };
-    rows.extend(line(set, "published", vec![one, many]));
+    let [_, works @ ..] = unsafe { published_works(scenes, numbers) };
+    rows.extend(line(set, "published", works.into()));
     println!();
     rows
 }
