@@ -6,7 +6,7 @@ from pathlib import Path
 from renderlab.scenes import scene_names
 from tqdm import tqdm
 
-from report import across, bound, convergence, crops, errors, noise, renders, speed, targets
+from report import across, bound, convergence, crops, errors, limits, noise, renders, speed, targets
 from report.data import read
 from report.page import page
 from report.recorded import recorded
@@ -47,7 +47,8 @@ def introduction(maps: dict, bench: dict) -> str:
         "uniform in "
         "projected solid angle in every case. Case 1: all of the cap is above the horizon; case 2: more "
         "than half of it, "
-        "case 3: less. All captions and tables are made from what was measured.</p>" + note
+        "case 3: less. All captions and tables are made from what was measured, but for what is told of "
+        "experiments.</p>" + note
     )
 
 
@@ -65,6 +66,7 @@ def build(inputs: Path, output: Path, plan: Plan) -> Path:
         pictures = crops.section(kept / "crops", plan.crops, bar.update)
     sections = [
         targets.section(bench, counts, maps, alone),
+        limits.section(),
         speed.section(bench, maps),
         bound.section(maps),
         noise.section(maps),

@@ -93,7 +93,8 @@ def section(bench: dict, instructions: dict, maps: dict, recorded: dict) -> Sect
         "scene, and count only while <code>solid_angle</code> meets its own ceilings: it "
         f"{'does' if holds else 'does not'}. By the same measure the published method takes "
         f"{times['mix', 'f32', 'published', ONE]['ratio']:.2f} and "
-        f"{times['mix', 'f32', 'published', MANY]['ratio']:.2f}.</p>"
+        f"{times['mix', 'f32', 'published', MANY]['ratio']:.2f}. One sample is drawn in one call with its "
+        "preparation, as in a renderer that inlines the library; for more, the preparation is stored.</p>"
     )
     origins = "".join(origin(about) for about in (bench, instructions, maps, recorded))
     return Section("targets", "Targets", text + table(["", "at most", "measured", ""], rows) + origins)
