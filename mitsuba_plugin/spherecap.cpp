@@ -384,18 +384,30 @@ private:
     DirectionSample3f sample_cap(const Interaction3f &it, const Point2f &sample, Mask active) const {
         DirectionSample3f ds = dr::zeros<DirectionSample3f>();
         if constexpr (dr::is_jit_v<Float>) {
-            using Recorder = mitsuba::Recorder<Float>;
-            const Vector3f centre = m_center.value() - it.p;
-            const spherecap_term_t u[2] = {Recorder::term(sample.x()), Recorder::term(sample.y())};
-            const spherecap_recorded_sample_t drawn =
-                Recorder().record(spherecap_record_sample, recorded(it, centre), u);
-            active &= Recorder::mask(drawn.is_sampled);
-            ds.n = Recorder::vector(drawn.normal);
-            ds.d = Recorder::vector(drawn.direction);
-            ds.dist = Recorder::number(drawn.distance);
-            ds.pdf = Recorder::number(drawn.density.solid_angle) & active;
-            for (uint64_t unused : {drawn.cosine, drawn.density.projected_solid_angle})
-                Recorder::number(unused);
+            // Several paths are traced at once: where none of them needs a sample any more, the kernel is
+            // skipped.
+            using Drawn = dr::tuple<Normal3f, Vector3f, Float, Float>;
+            const Drawn drawn = dr::if_stmt(
+                dr::make_tuple(dr::detach(it.n), dr::detach(m_center.value() - it.p), dr::detach(sample)),
+                active,
+                [this](const Normal3f &normal, const Vector3f &centre, const Point2f &sample) {
+                    using Recorder = mitsuba::Recorder<Float>;
+                    const spherecap_term_t u[2] = {Recorder::term(sample.x()), Recorder::term(sample.y())};
+                    const spherecap_recorded_sample_t drawn =
+                        Recorder().record(spherecap_record_sample, recorded(normal, centre), u);
+                    Recorder::mask(drawn.is_sampled); // Else the density is zero.
+                    for (uint64_t unused : {drawn.cosine, drawn.density.projected_solid_angle})
+                        Recorder::number(unused);
+                    return Drawn(Recorder::vector(drawn.normal), Recorder::vector(drawn.direction),
+                                 Recorder::number(drawn.distance),
+                                 Recorder::number(drawn.density.solid_angle));
+                },
+                [](const Normal3f &, const Vector3f &, const Point2f &) { return Drawn(0.f, 0.f, 0.f, 0.f); },
+                "spherecap sample");
+            ds.n = dr::get<0>(drawn);
+            ds.d = dr::get<1>(drawn);
+            ds.dist = dr::get<2>(drawn);
+            ds.pdf = dr::get<3>(drawn);
         } else {
             // Mitsuba reuses random numbers, after which rounding may leave them slightly outside of [0, 1].
             const Point2f u = dr::clip(sample, 0.f, 1.f);
@@ -417,14 +429,21 @@ private:
     /// The density with which `sample_cap` chooses a direction that is known to meet the sphere.
     Float pdf_cap(const Interaction3f &it, const Vector3f &direction, Mask active) const {
         if constexpr (dr::is_jit_v<Float>) {
-            using Recorder = mitsuba::Recorder<Float>;
-            const Vector3f centre = m_center.value() - it.p;
-            spherecap_term_t d[3];
-            Recorder::terms(direction, d);
-            const spherecap_recorded_density_t density =
-                Recorder().record(spherecap_record_pdf_on_sphere, recorded(it, centre), d);
-            Recorder::number(density.projected_solid_angle);
-            return Recorder::number(density.solid_angle) & active;
+            // Likewise: few rays meet the light by chance.
+            return dr::if_stmt(
+                dr::make_tuple(dr::detach(it.n), dr::detach(m_center.value() - it.p), dr::detach(direction)),
+                active,
+                [this](const Normal3f &normal, const Vector3f &centre, const Vector3f &direction) {
+                    using Recorder = mitsuba::Recorder<Float>;
+                    spherecap_term_t d[3];
+                    Recorder::terms(direction, d);
+                    const spherecap_recorded_density_t density =
+                        Recorder().record(spherecap_record_pdf_on_sphere, recorded(normal, centre), d);
+                    Recorder::number(density.projected_solid_angle);
+                    return Recorder::number(density.solid_angle);
+                },
+                [](const Normal3f &, const Vector3f &, const Vector3f &) { return Float(0.f); },
+                "spherecap pdf");
         } else {
             spherecap_cap_t cap;
             spherecap_density_t density;
@@ -445,13 +464,13 @@ private:
     }
 
     /// The same for the recorded kernel. The centre is the light's, seen from the point.
-    spherecap_recorded_cap_t recorded(const Interaction3f &it, const Vector3f &centre) const {
+    spherecap_recorded_cap_t recorded(const Normal3f &normal, const Vector3f &centre) const {
         using Recorder = mitsuba::Recorder<Float>;
         spherecap_recorded_cap_t cap;
         cap.technique = m_technique.value;
         cap.hemispheres = hemispheres();
         cap.defensive = Recorder::term(defensive());
-        Recorder::terms(it.n, cap.normal);
+        Recorder::terms(normal, cap.normal);
         Recorder::terms(centre, cap.centre);
         cap.radius = Recorder::term(m_radius.value());
         return cap;

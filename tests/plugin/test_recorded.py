@@ -154,7 +154,9 @@ def test_bits_of_the_scalar_kernel(batch, technique, hemispheres, defensive, pla
 
     it = dr.zeros(mi.SurfaceInteraction3f, COUNT)
     it.p, it.n = mi.Point3f(p.T), mi.Normal3f(n.T)
-    ds, weight = emitter.sample_direction(it, mi.Point2f(u.T))
+    # A mask that is no constant, as in an integrator's loop: then the kernel is in a conditional.
+    active = mi.Bool(np.full(COUNT, fill_value=True))
+    ds, weight = emitter.sample_direction(it, mi.Point2f(u.T), active)
     found = rows(ds.d, ds.n, ds.dist, ds.pdf, ds.p)
     assert np.isfinite(found).all()
     agree = same_bits(found, expected)
@@ -167,7 +169,7 @@ def test_bits_of_the_scalar_kernel(batch, technique, hemispheres, defensive, pla
     assert not weight[~sampled].any()
 
     ds.d, ds.n = mi.Vector3f(d.T), mi.Normal3f(-d.T)
-    found = rows(emitter.pdf_direction(it, ds))[:, 0]
+    found = rows(emitter.pdf_direction(it, ds, active))[:, 0]
     assert np.array_equal(found, expected_pdf), (found[found != expected_pdf][:3],)
     assert (found > 0).mean() > 0.1
 
