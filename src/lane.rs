@@ -125,16 +125,16 @@ impl<M, T: Blend<M>> Blend<M> for Only<T> {
 /// }
 /// assert_eq!((larger_solution(2.0_f32, 3.0), larger_solution(-2.0_f64, 3.0)), (3.0, -1.0));
 ///
-/// /// The exponent of a power of two, and the power of an exponent that the type has.
-/// fn exponent<L: Lane>(power: L) -> L {
-///     power.bits() / lit(f64::from(L::SIGNIFICAND_BITS).exp2()) - lit(f64::from(L::EXPONENT_BIAS))
+/// /// The exponent of a normal number, and the power of an exponent that the type has.
+/// fn exponent<L: Lane>(x: L) -> L {
+///     x.power_of_two().bits() / lit(f64::from(L::SIGNIFICAND_BITS).exp2()) - lit(f64::from(L::EXPONENT_BIAS))
 /// }
 /// fn power<L: Lane>(exponent: L) -> L {
 ///     let bias = L::lit(f64::from(L::EXPONENT_BIAS));
 ///     let biased = (exponent + bias).min(bias + bias);
 ///     (biased * lit(f64::from(L::SIGNIFICAND_BITS).exp2())).float_of_bits()
 /// }
-/// assert_eq!((exponent(8.0_f32), power(3.0_f64)), (3.0, 8.0));
+/// assert_eq!((exponent(-9.5_f32), power(3.0_f64)), (3.0, 8.0));
 /// ```
 pub trait Lane:
     Copy

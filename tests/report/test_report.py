@@ -23,7 +23,7 @@ PLAN = Plan(
     recorded_samples=1024,
     recorded_rounds=1,
 )
-SECTIONS = ("targets", "speed", "bound", "noise", "errors", "convergence", "crops", "cross")
+SECTIONS = ("targets", "limits", "speed", "bound", "noise", "errors", "convergence", "crops", "cross")
 FIGURES = {"pareto-inverse", "pareto-deviation", "figure-2", "bound-map", "deviation-maps", "error-maps"}
 FIGURES |= {"convergence-cut_light", "convergence-open_floor", "crops-cut_light"}
 
@@ -82,7 +82,7 @@ def test_targets_are_the_inputs_numbers(page: str) -> None:
         *((number(times, "ratio", "f32", "projected", task), 2) for task in (one, many)),
         *((number(times, "ratio", lane, "projected", one), 2) for lane in ("AVX-512", "AVX2")),
     ]
-    section = page[page.index('<h2 id="targets"') : page.index('<h2 id="speed"')]
+    section = page[page.index('<h2 id="targets"') : page.index('<h2 id="limits"')]
     cells = [re.findall("<td>(.*?)</td>", row) for row in re.findall("<tr>(.*?)</tr>", section)][1:]
     assert [row[2] for row in cells[:8]] == [f"{value:.{digits}f}" for value, digits in expected]
     assert cells[9][2] == "204"
