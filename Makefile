@@ -75,7 +75,7 @@ $(PLUGIN): $(LIBRARY) $(VENV)/installed include/spherecap.h $(wildcard mitsuba_p
 	$(BIN)/cmake -S mitsuba_plugin -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
 	    -DCMAKE_MAKE_PROGRAM="$(CURDIR)/$(BIN)/ninja" -DMitsubaWheel_PYTHON="$(CURDIR)/$(BIN)/python" \
 	    -DSPHERECAP_LIBRARY="$(CURDIR)/$(LIBRARY)"
-	$(BIN)/cmake --build build
+	MAKEFLAGS= $(BIN)/cmake --build build
 	touch $@
 
 $(C_RENDERER): tests/c/renderer.c include/spherecap.h $(LIBRARY)
@@ -85,7 +85,7 @@ $(C_RENDERER): tests/c/renderer.c include/spherecap.h $(LIBRARY)
 # Not by cargo, which would compile everything that the tests need for it, too.
 $(IRRADIANCE): examples/irradiance.rs $(LIBRARY)
 	mkdir -p $(@D)
-	rustc --edition 2021 -O -C panic=abort -L dependency=target/release/deps --extern spherecap=target/release/libspherecap.rlib \
+	MAKEFLAGS= rustc --edition 2021 -O -C panic=abort -L dependency=target/release/deps --extern spherecap=target/release/libspherecap.rlib \
 	    $< -o $@
 
 # The other renderers are large, and want other versions of the same packages: each has an environment of its own.
@@ -154,8 +154,8 @@ out/bench.json out/instructions.json out/maps.json: out/%.json: Cargo.toml Cargo
 	cargo bench --locked --bench $(if $(filter bench,$*),cost,$*)
 
 test-long: ## The random tests, with many more inputs than in `make test`: about ten minutes.
-	PROPTEST_CASES=2000000 cargo test --release --locked --test strata
-	SPHERECAP_FUZZ_TRIALS=20000000 cargo test --release --locked --test c_abi numbers_of_every_kind
+	PROPTEST_CASES=20000000 cargo test --release --locked --test strata
+	SPHERECAP_FUZZ_TRIALS=100000000 cargo test --release --locked --test c_abi numbers_of_every_kind
 
 fits: $(VENV)/installed ## Remake the fitted constants in src/fits.rs.
 	$(BIN)/python -m fits

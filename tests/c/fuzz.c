@@ -92,9 +92,9 @@ static double length_of(const float v[3]) {
     return sqrt((double)v[0] * v[0] + (double)v[1] * v[1] + (double)v[2] * v[2]);
 }
 
-// Sums and products of a few dozen roundings go into each vector of a sample: FLT_EPSILON / 2 each at most,
-// and few of them at full weight.
-static int is_unit(const float v[3]) { return fabs(length_of(v) - 1.0) <= 8 * (double)FLT_EPSILON; }
+// An offset may be outside of the cap by 1e-6 of its radius, the sine s. With the point on the limb all the
+// same, the direction is longer by s^2 of that, and the normal by 1 + s^2.
+static int is_unit(const float v[3]) { return fabs(length_of(v) - 1.0) <= 2e-6; }
 
 static int is_density(spherecap_density_t density) {
     return 0.0f <= density.solid_angle && density.solid_angle <= FLT_MAX &&
