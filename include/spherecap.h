@@ -113,9 +113,9 @@ typedef struct spherecap_cap_t {
 // A direction in the cap's own frame. Its components keep their relative precision where those of a unit vector drown: in
 // small caps and near the horizon.
 typedef struct spherecap_offset_t {
-    // Component across the direction to the centre, towards the zenith, in [-1, 1].
+    // Component across the direction to the centre, towards the zenith, in [-1, 1] (to rounding).
     float zenith;
-    // Component sideways, in [-1, 1].
+    // Component sideways, in [-1, 1] (to rounding).
     float side;
     // Cosine with the surface normal, in [-1, 1]; negative below the horizon, 0 without a surface.
     float cosine;

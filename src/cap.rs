@@ -178,7 +178,8 @@ impl<L: Lane> Cap<L> {
         let extent = v.fma(z, s_x).max(L::lit(L::MIN_POSITIVE / L::EPSILON));
         let inv_product = lit(1.0) / (extent * side_length);
         let inv_extent = inv_product * side_length;
-        let rise = q * (inv_d * inv_d) * inv_extent;
+        // At most `v |Z|` from the horizon, which a normal longer than 1 by a rounding would deny next to the sphere.
+        let rise = (q * (inv_d * inv_d) * inv_extent).max(-(v * z));
 
         let side = side * (inv_product * extent);
         let towards_centre = c * inv_d;

@@ -104,9 +104,9 @@ pub struct spherecap_cap_t {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct spherecap_offset_t {
-    /// Component across the direction to the centre, towards the zenith, in [-1, 1].
+    /// Component across the direction to the centre, towards the zenith, in [-1, 1] (to rounding).
     pub zenith: f32,
-    /// Component sideways, in [-1, 1].
+    /// Component sideways, in [-1, 1] (to rounding).
     pub side: f32,
     /// Cosine with the surface normal, in [-1, 1]; negative below the horizon, 0 without a surface.
     pub cosine: f32,

@@ -20,9 +20,9 @@ use crate::vec3::Vec3;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Offset<L> {
-    /// Component across the direction to the centre, towards the zenith, in \[-1, 1\].
+    /// Component across the direction to the centre, towards the zenith, in \[-1, 1\] (to rounding).
     pub zenith: L,
-    /// Component sideways, in \[-1, 1\].
+    /// Component sideways, in \[-1, 1\] (to rounding).
     pub side: L,
     /// Cosine with the surface normal, in \[-1, 1\]; negative below the horizon, 0 without a surface.
     pub cosine: L,

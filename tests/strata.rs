@@ -94,9 +94,10 @@ fn check(scene: &Scene, technique: Technique, u: [f32; 2]) -> Result<(), TestCas
     // d^2, r^2, v and the quotient: a dozen roundings at most.
     prop_assert!(areas[0] < 1e-6, "the solid angle is off by {:e}", areas[0]);
     if technique != Technique::SolidAngle {
-        // Twenty roundings of half an epsilon, t_y's three times: all at their worst and in one direction. (The reference
-        // rows keep within 1e-6, and all but one in a million of these.)
-        prop_assert!(areas[1] < 1.2e-6 + doubt, "the projected solid angle is off by {:e}", areas[1]);
+        // Ten roundings of half an epsilon are in t_y, whose cube the area has; with the others 45, 2.7e-6 if all were at their
+        // worst and in one direction. (The reference rows keep within 1e-6, and so do all but one in a million of these; of
+        // twenty million the worst is off by 1.22e-6.)
+        prop_assert!(areas[1] < 1.5e-6 + doubt, "the projected solid angle is off by {:e}", areas[1]);
     }
 
     let sample = sampler.sample(u[0], u[1]);
