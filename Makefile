@@ -71,6 +71,8 @@ build: $(PLUGIN) ## The static library and the Mitsuba plugin.
 $(LIBRARY): FORCE
 	cargo build --release --locked
 
+# Ninja and rustc would look for the jobserver of a make that runs several jobs, which is for sub-makes alone: MAKEFLAGS is not
+# for them.
 $(PLUGIN): $(LIBRARY) $(VENV)/installed include/spherecap.h $(wildcard mitsuba_plugin/*.* mitsuba_plugin/cmake/*)
 	$(BIN)/cmake -S mitsuba_plugin -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
 	    -DCMAKE_MAKE_PROGRAM="$(CURDIR)/$(BIN)/ninja" -DMitsubaWheel_PYTHON="$(CURDIR)/$(BIN)/python" \

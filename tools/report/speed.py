@@ -21,8 +21,7 @@ METHODS = ("solid_angle", "published", "projected_bounded", "projected")
 
 
 def points(bench: dict, errors: list[dict], column: str, name: str) -> list[tuple]:
-    """Return (method, way, nanoseconds, error) for all that was both timed and measured in a set of "
-    "caps."""
+    """Return (method, way, nanoseconds, error) for all of a set of caps that was both timed and measured."""
     times = rows_by(bench["rows"], "set", "lane", "method", "task")
     found = rows_by(errors, "set", "method")
     return [
