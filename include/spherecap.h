@@ -196,8 +196,16 @@ typedef struct spherecap_recorder_t {
     // Gives a node for an operation on one to three nodes (behind a pointer that holds only during the call), or 0 if that
     // fails. It may be the same node for the same operation on the same nodes.
     uint64_t (*op)(void *user, enum spherecap_op_t op, const uint64_t *operands);
-    // Takes back a node: called once for each time that `literal` or `op` returned it, unless it is part of a result.
+    // Takes back a node: called once for each time that `literal`, `op` or `end_if` gave it, unless it is part of a result.
     void (*release)(void *user, uint64_t node);
+    // Begins a conditional and gives a name for it, or 0 for none here. Operations until its end are needed only where the
+    // mask, a truth value, is true. Conditionals nest. NULL, like `end_if`, for a graph that has none: all sides of a
+    // kernel's branches are then computed everywhere.
+    uint64_t (*begin_if)(void *user, uint64_t mask);
+    // Ends the conditional that was begun last. `nodes` are those of its nodes that are read afterwards: puts a new node in the
+    // place of each, which has its value where the mask is true, and anything elsewhere. Gives 0 if that fails (then `nodes` is
+    // not looked at), and anything else if not.
+    uint32_t (*end_if)(void *user, uint64_t conditional, uint64_t *nodes, size_t count);
 } spherecap_recorder_t;
 
 // An input of a recorded kernel: a node or, where that is 0, a constant. Operations on constants are not recorded.

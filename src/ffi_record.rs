@@ -5,10 +5,10 @@
 #![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
 
 use crate::ffi::{hemispheres, spherecap_status_t as Status, store, technique};
-use crate::lane::recorded::{Backend, NodeId, Op, Recorded, RecordedMask, Tape};
+use crate::lane::recorded::{Backend, Conditional, NodeId, Op, Recorded, RecordedMask, Tape, Wanted};
 use crate::lane::Lane;
 use crate::prepare::is_unit;
-use crate::sampling::{Density, Sampler, Strategy};
+use crate::sampling::{Sample, Sampler, Strategy};
 use crate::vec3::Vec3;
 use core::ffi::c_void;
 
@@ -65,8 +65,18 @@ pub struct spherecap_recorder_t {
     /// Gives a node for an operation on one to three nodes (behind a pointer that holds only during the call), or 0 if that
     /// fails. It may be the same node for the same operation on the same nodes.
     pub op: Option<unsafe extern "C" fn(user: *mut c_void, op: spherecap_op_t, operands: *const u64) -> u64>,
-    /// Takes back a node: called once for each time that `literal` or `op` returned it, unless it is part of a result.
+    /// Takes back a node: called once for each time that `literal`, `op` or `end_if` gave it, unless it is part of a result.
     pub release: Option<unsafe extern "C" fn(user: *mut c_void, node: u64)>,
+    /// Begins a conditional and gives a name for it, or 0 for none here. Operations until its end are needed only where the
+    /// mask, a truth value, is true. Conditionals nest. NULL, like `end_if`, for a graph that has none: all sides of a
+    /// kernel's branches are then computed everywhere.
+    pub begin_if: Option<unsafe extern "C" fn(user: *mut c_void, mask: u64) -> u64>,
+    /// Ends the conditional that was begun last. `nodes` are those of its nodes that are read afterwards: puts a new node in the
+    /// place of each, which has its value where the mask is true, and anything elsewhere. Gives 0 if that fails (then `nodes` is
+    /// not looked at), and anything else if not.
+    pub end_if: Option<
+        unsafe extern "C" fn(user: *mut c_void, conditional: u64, nodes: *mut u64, count: usize) -> u32,
+    >,
 }
 
 /// An input of a recorded kernel: a node or, where that is 0, a constant. Operations on constants are not recorded.
@@ -156,6 +166,14 @@ struct Recorder {
     literal: unsafe extern "C" fn(*mut c_void, f32) -> u64,
     op: unsafe extern "C" fn(*mut c_void, spherecap_op_t, *const u64) -> u64,
     release: unsafe extern "C" fn(*mut c_void, u64),
+    conditionals: Option<Conditionals>,
+}
+
+/// The functions that a recorder may lack.
+#[derive(Clone, Copy)]
+struct Conditionals {
+    begin_if: unsafe extern "C" fn(*mut c_void, u64) -> u64,
+    end_if: unsafe extern "C" fn(*mut c_void, u64, *mut u64, usize) -> u32,
 }
 
 impl Backend for Recorder {
@@ -166,6 +184,17 @@ impl Backend for Recorder {
     fn op(&self, op: Op, operands: &[NodeId]) -> Option<NodeId> {
         // SAFETY: the header's contract.
         Some(unsafe { (self.op)(self.user, op.into(), operands.as_ptr()) }).filter(|&node| node != 0)
+    }
+    fn begin_if(&self, mask: NodeId) -> Option<Conditional> {
+        // SAFETY: the header's contract.
+        let conditional = self.conditionals.map(|with| unsafe { (with.begin_if)(self.user, mask) });
+        conditional.filter(|&conditional| conditional != 0).map(Conditional)
+    }
+    fn end_if(&self, Conditional(conditional): Conditional, nodes: &mut [NodeId]) -> Option<()> {
+        // SAFETY: the header's contract.
+        let is_ended =
+            unsafe { (self.conditionals?.end_if)(self.user, conditional, nodes.as_mut_ptr(), nodes.len()) };
+        (is_ended != 0).then_some(())
     }
     fn release(&self, node: NodeId) {
         // SAFETY: the header's contract.
@@ -178,22 +207,27 @@ impl Backend for Recorder {
 unsafe fn complete(recorder: *const spherecap_recorder_t) -> Result<Recorder, u32> {
     let null = Status::SPHERECAP_STATUS_NULL_POINTER as u32;
     // SAFETY: the caller's promise.
-    match *unsafe { recorder.as_ref() }.ok_or(null)? {
-        spherecap_recorder_t { user, literal: Some(literal), op: Some(op), release: Some(release) } => {
-            Ok(Recorder { user, literal, op, release })
-        }
+    let recorder = unsafe { recorder.as_ref() }.ok_or(null)?;
+    let spherecap_recorder_t { user, literal, op, release, begin_if, end_if } = *recorder;
+    let conditionals = match (begin_if, end_if) {
+        (Some(begin_if), Some(end_if)) => Some(Conditionals { begin_if, end_if }),
+        (None, None) => None,
+        _ => return Err(null),
+    };
+    match (literal, op, release) {
+        (Some(literal), Some(op), Some(release)) => Ok(Recorder { user, literal, op, release, conditionals }),
         _ => Err(null),
     }
 }
 
-fn input<'t>(tape: &'t Tape<'_>, term: spherecap_term_t) -> Recorded<'t> {
+fn input<'t>(tape: &'t Tape, term: spherecap_term_t) -> Recorded<'t> {
     match term.node {
         0 => Recorded::Lit(term.constant),
         node => tape.input(node),
     }
 }
 
-fn vector<'t>(tape: &'t Tape<'_>, terms: [spherecap_term_t; 3]) -> Vec3<Recorded<'t>> {
+fn vector<'t>(tape: &'t Tape, terms: [spherecap_term_t; 3]) -> Vec3<Recorded<'t>> {
     terms.map(|term| input(tape, term)).into()
 }
 
@@ -202,7 +236,7 @@ fn vector<'t>(tape: &'t Tape<'_>, terms: [spherecap_term_t; 3]) -> Vec3<Recorded
 /// # Safety
 /// `cap` is NULL or points to a readable `spherecap_recorded_cap_t`.
 unsafe fn prepare<'t>(
-    tape: &'t Tape<'_>,
+    tape: &'t Tape,
     cap: *const spherecap_recorded_cap_t,
 ) -> Result<(Sampler<Recorded<'t>>, RecordedMask<'t>), u32> {
     // SAFETY: the caller's promise.
@@ -216,23 +250,9 @@ unsafe fn prepare<'t>(
     Ok(Sampler::prepare_where_possible(strategy, normal, centre, input(tape, cap.radius)))
 }
 
-/// Nodes that are zero where the mask is false.
-fn keep_where<'t, const N: usize>(
-    tape: &Tape<'_>,
-    mask: RecordedMask<'t>,
-    lanes: [Recorded<'t>; N],
-) -> [NodeId; N] {
-    lanes.map(|lane| tape.keep(Recorded::select(mask, lane, Recorded::Lit(0.0))))
-}
-
-fn keep_density_where<'t>(
-    tape: &Tape<'_>,
-    mask: RecordedMask<'t>,
-    density: Density<Recorded<'t>>,
-) -> spherecap_recorded_density_t {
-    let [solid_angle, projected_solid_angle] =
-        keep_where(tape, mask, [density.solid_angle, density.projected_solid_angle]);
-    spherecap_recorded_density_t { solid_angle, projected_solid_angle }
+/// Wants a number, zero where the mask is false.
+fn number_where<'t>(tape: &'t Tape, mask: RecordedMask<'t>, lane: Recorded<'t>) -> Wanted {
+    tape.want_number(Recorded::select(mask, lane, Recorded::Lit(0.0)))
 }
 
 /// Records `spherecap_prepare` and `spherecap_sample` with two random numbers (at `u`) as one graph. Random numbers outside
@@ -255,20 +275,35 @@ pub unsafe extern "C" fn spherecap_record_sample(
     let (recorder, u) = unsafe { (complete(recorder), u.cast::<[spherecap_term_t; 2]>().as_ref()) };
     let result = recorder.and_then(|recorder| {
         let u = *u.filter(|_| !sample.is_null()).ok_or(Status::SPHERECAP_STATUS_NULL_POINTER as u32)?;
-        let tape = Tape::new(&recorder);
+        let tape = Tape::default();
         // SAFETY: the header's contract.
         let (sampler, mask) = unsafe { prepare(&tape, cap) }?;
         let [u0, u1] = u.map(|term| input(&tape, term));
-        let sample = sampler.sample(u0, u1);
-        let density = keep_density_where(&tape, mask, sample.density);
-        let [distance, cosine] = keep_where(&tape, mask, [sample.distance, sample.offset.cosine]);
-        let direction = keep_where(&tape, mask, sample.direction.into());
-        let normal = keep_where(&tape, mask, sample.normal.into());
-        let is_sampled = tape.keep_mask(mask);
-        let kept = spherecap_recorded_sample_t { is_sampled, direction, distance, normal, cosine, density };
-        let spherecap_recorded_density_t { solid_angle, projected_solid_angle } = density;
-        let singles = [is_sampled, distance, cosine, solid_angle, projected_solid_angle];
-        settle(&tape, kept, singles.iter().chain(&direction).chain(&normal))
+        let Sample { offset, direction, distance, normal, density } = sampler.sample(u0, u1);
+        let number = |lane| number_where(&tape, mask, lane);
+        let wanted = [
+            tape.want_mask(mask),
+            number(direction.x),
+            number(direction.y),
+            number(direction.z),
+            number(distance),
+            number(normal.x),
+            number(normal.y),
+            number(normal.z),
+            number(offset.cosine),
+            number(density.solid_angle),
+            number(density.projected_solid_angle),
+        ];
+        let [is_sampled, dx, dy, dz, distance, nx, ny, nz, cosine, solid_angle, projected_solid_angle] =
+            tape.play(&recorder, wanted).ok_or(Status::SPHERECAP_STATUS_RECORDER as u32)?;
+        Ok(spherecap_recorded_sample_t {
+            is_sampled,
+            direction: [dx, dy, dz],
+            distance,
+            normal: [nx, ny, nz],
+            cosine,
+            density: spherecap_recorded_density_t { solid_angle, projected_solid_angle },
+        })
     });
     // SAFETY: the header's contract.
     unsafe { store(sample, result) }
@@ -293,23 +328,18 @@ pub unsafe extern "C" fn spherecap_record_pdf_on_sphere(
     let result = recorder.and_then(|recorder| {
         let direction =
             *direction.filter(|_| !density.is_null()).ok_or(Status::SPHERECAP_STATUS_NULL_POINTER as u32)?;
-        let tape = Tape::new(&recorder);
+        let tape = Tape::default();
         // SAFETY: the header's contract.
         let (sampler, mask) = unsafe { prepare(&tape, cap) }?;
         let direction = vector(&tape, direction);
         let density = sampler.pdf_on_sphere(sampler.offset(direction));
-        let kept = keep_density_where(&tape, mask & is_unit(direction), density);
-        settle(&tape, kept, &[kept.solid_angle, kept.projected_solid_angle])
+        let mask = mask & is_unit(direction);
+        let wanted = [density.solid_angle, density.projected_solid_angle];
+        let [solid_angle, projected_solid_angle] = tape
+            .play(&recorder, wanted.map(|lane| number_where(&tape, mask, lane)))
+            .ok_or(Status::SPHERECAP_STATUS_RECORDER as u32)?;
+        Ok(spherecap_recorded_density_t { solid_angle, projected_solid_angle })
     });
     // SAFETY: the header's contract.
     unsafe { store(density, result) }
-}
-
-/// What was kept; or, if the recorder has failed, an error, with the nodes given back.
-fn settle<'a, T>(tape: &Tape<'_>, kept: T, nodes: impl IntoIterator<Item = &'a NodeId>) -> Result<T, u32> {
-    if !tape.has_failed() {
-        return Ok(kept);
-    }
-    nodes.into_iter().for_each(|&node| tape.give_back(node));
-    Err(Status::SPHERECAP_STATUS_RECORDER as u32)
 }

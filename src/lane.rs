@@ -4,7 +4,7 @@
 //! Three rules keep all executions equal to the bit:
 //! - [`Lane::fma`] rounds once in every lane; `a * b + c` rounds twice in every lane (Rust never contracts).
 //! - A choice is a [`Lane::select`], or a [`branch!`] where skipping the other side is worth it: a real branch for a
-//!   scalar, an any/all test for a packet, a select when recording.
+//!   scalar, an any/all test for a packet, when recording a conditional for a long side and a select for a short one.
 //! - Elementary functions are built from the operations below (`math.rs`), never taken from a platform.
 
 pub(crate) mod packet;
@@ -73,6 +73,14 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     fn any(self) -> bool;
     /// Whether all lanes are known to be true. A recorded mask answers `false` unless it is the constant `true`.
     fn all(self) -> bool;
+    /// Tells a recording that what follows matters only where the mask is this.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn begin_side(self, _: bool) {}
+    /// Tells it where that ends.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn end_side(self) {}
 }
 
 /// What can be chosen lane by lane: lanes, and vectors, tuples and arrays of them.
@@ -193,7 +201,8 @@ pub trait Lane:
     fn float_of_bits(self) -> Self;
 }
 
-/// Evaluates only the sides that some lane needs: `branch!(mask, if_true, if_false)`.
+/// Evaluates only the sides that some lane needs: `branch!(mask, if_true, if_false)`. A recording evaluates both, and marks
+/// them.
 ///
 /// A macro and not a function of closures, because a closure that is not inlined is compiled without its caller's
 /// target features. Do not `return` or use `?` inside a side.
@@ -201,11 +210,20 @@ macro_rules! branch {
     ($mask:expr, $yes:expr, $no:expr) => {{
         let mask = $mask;
         let (any, all) = ($crate::lane::Mask::any(mask), $crate::lane::Mask::all(mask));
-        let yes = if any { $yes } else { $crate::lane::Blend::blank() };
+        let yes = if any {
+            $crate::lane::Mask::begin_side(mask, true);
+            let yes = $yes;
+            $crate::lane::Mask::end_side(mask);
+            yes
+        } else {
+            $crate::lane::Blend::blank()
+        };
         if all {
             yes
         } else {
+            $crate::lane::Mask::begin_side(mask, false);
             let no = $no;
+            $crate::lane::Mask::end_side(mask);
             if any {
                 $crate::lane::Blend::blend(mask, yes, no)
             } else {

@@ -423,12 +423,18 @@ fn a_recorded_kernel_gives_the_bits_of_the_scalar_one() {
     let (input, expected) = lines();
     let output = run_both("tests/c/record.c", &input);
     let counts: Vec<usize> = output.split_whitespace().map(|n| n.parse().expect("a number")).collect();
-    let &[lines, sampled, sample, density] = &counts[..] else { panic!("four numbers, not {output}") };
+    let &[lines, sampled, sample, density, sample_ifs, density_ifs] = &counts[..] else {
+        panic!("six numbers, not {output}")
+    };
     assert_eq!(lines, expected.len());
     assert_eq!(sampled, expected.iter().filter(|line| line.starts_with("ok")).count());
-    println!("at most {sample} operations for a sample, {density} for a density");
+    println!("at most {sample} operations and {sample_ifs} conditionals for a sample");
+    println!("at most {density} operations and {density_ifs} conditionals for a density");
     // A budget: what is recorded is compiled and run by every user of it.
     assert!(sample <= 780 && density <= 540, "{sample} operations for a sample, {density} for a density");
+    // Conditionals are skipped at the price of compiling them; without any, all sides are computed everywhere.
+    assert!((1..=12).contains(&sample_ifs), "{sample_ifs} conditionals for a sample");
+    assert!((1..=6).contains(&density_ifs), "{density_ifs} conditionals for a density");
 }
 
 /// What readelf prints. (nm would load a plugin for the bitcode in Rust's archives, and old ones fail on it.)

@@ -294,6 +294,26 @@ static void count_release(void *user, uint64_t node) {
     --((counter_t *)user)->alive;
 }
 
+static uint64_t count_begin_if(void *user, uint64_t mask) {
+    (void)user;
+    return mask;
+}
+
+static uint32_t count_end_if(void *user, uint64_t conditional, uint64_t *nodes, size_t count) {
+    CHECK(conditional != 0 && count > 0);
+    for (size_t i = 0; i < count; ++i) {
+        const uint64_t node = count_node((counter_t *)user);
+        if (node == 0) {
+            while (i-- > 0) {
+                count_release(user, nodes[i]);
+            }
+            return 0;
+        }
+        nodes[i] = node;
+    }
+    return 1;
+}
+
 // Both functions give this status and zeros.
 static void expect_no_record(const spherecap_recorder_t *recorder, const spherecap_recorded_cap_t *cap,
                              const spherecap_term_t *u, const spherecap_term_t *direction,
@@ -307,7 +327,8 @@ static void expect_no_record(const spherecap_recorder_t *recorder, const spherec
 static void recorders(void) {
     const uint32_t null = SPHERECAP_STATUS_NULL_POINTER;
     counter_t counter = {100, UINT64_MAX, 0};
-    const spherecap_recorder_t recorder = {&counter, count_literal, count_operation, count_release};
+    const spherecap_recorder_t recorder = {&counter,      count_literal,  count_operation,
+                                           count_release, count_begin_if, count_end_if};
     const spherecap_term_t term[3] = {{1, 0.0f}, {2, 0.0f}, {3, 0.0f}};
     const spherecap_recorded_cap_t good = {
         SPHERECAP_TECHNIQUE_PROJECTED,     SPHERECAP_HEMISPHERES_BOTH,        {0, 0.125f},
@@ -324,11 +345,13 @@ static void recorders(void) {
     CHECK(counter.alive == 0 && counter.made == counter.enough);
     counter.enough = UINT64_MAX;
 
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 5; ++i) {
         spherecap_recorder_t incomplete = recorder;
         incomplete.literal = i == 0 ? NULL : incomplete.literal;
         incomplete.op = i == 1 ? NULL : incomplete.op;
         incomplete.release = i == 2 ? NULL : incomplete.release;
+        incomplete.begin_if = i == 3 ? NULL : incomplete.begin_if;
+        incomplete.end_if = i == 4 ? NULL : incomplete.end_if;
         expect_no_record(&incomplete, &good, term, term, null);
     }
     expect_no_record(NULL, &good, term, term, null);

@@ -124,13 +124,16 @@ void call_the_recorder() {
     };
     static const auto make = +add;
     const spherecap_recorder_t recorder{
-        &alive, [](void *user, float) { return make(user); },
+        &alive,
+        [](void *user, float) { return make(user); },
         [](void *user, spherecap_op_t, const uint64_t *) { return make(user); },
         [](void *user, uint64_t node) {
             auto &nodes = *static_cast<std::vector<bool> *>(user);
             CHECK(nodes[node]);
             nodes[node] = false;
-        }};
+        },
+        nullptr,
+        nullptr};
     // Three inputs, and for the rest constants.
     const spherecap_term_t input{add(&alive), 0.0f}, zero{0, 0.0f}, one{0, 1.0f};
     const spherecap_recorded_cap_t cap{SPHERECAP_TECHNIQUE_PROJECTED,

@@ -1,8 +1,10 @@
 // Records the kernels into a recorder that evaluates at once, in plain C floats, and checks that it gives the
-// bits of the library's own functions, zeros where they refuse, and every node back.
+// bits of the library's own functions, zeros where they refuse, and every node back. With conditionals, too:
+// what they give where their mask is false is rubbish here, and nothing else of theirs may be read after
+// their end.
 //
 // Input: as of `bits.c`. Output: how many lines there were, how many of them had something to sample, and the
-// most operations of a sample and of a density.
+// most operations of a sample and of a density, and the most conditionals of each.
 
 #include "spherecap.h"
 
@@ -10,13 +12,18 @@
 
 #include <math.h>
 
-enum { WORDS_IN = 12, NODES = 4096 };
+enum { WORDS_IN = 12, NODES = 4096, DEPTH = 8 };
 
 // A node is an index into these arrays. Values are all that it has.
 typedef struct graph_t {
     float value[NODES];
     int references[NODES];
+    // Of each node the conditional that it is in, or 0.
+    unsigned in[NODES];
     unsigned count, alive, operations, fails_at;
+    // Conditionals by the order of their beginnings, from 1, and those that have not ended.
+    unsigned conditionals, depth, open[DEPTH];
+    float mask[DEPTH];
 } graph_t;
 
 static float as_float(uint32_t bits) {
@@ -38,12 +45,18 @@ static uint64_t new_node(graph_t *graph, float value) {
     }
     graph->value[++graph->count] = value;
     graph->references[graph->count] = 1;
+    graph->in[graph->count] = graph->depth == 0 ? 0 : graph->open[graph->depth - 1];
     ++graph->alive;
     return graph->count;
 }
 
 static float value_of(const graph_t *graph, uint64_t node) {
     CHECK(1 <= node && node <= graph->count && graph->references[node] == 1);
+    int has_ended = graph->in[node] != 0;
+    for (unsigned i = 0; i < graph->depth; ++i) {
+        has_ended = has_ended && graph->open[i] != graph->in[node];
+    }
+    CHECK(!has_ended);
     return graph->value[node];
 }
 
@@ -127,6 +140,42 @@ static uint64_t operation(void *user, spherecap_op_t op, const uint64_t *operand
     return new_node(graph, result);
 }
 
+static uint64_t begin_if(void *user, uint64_t mask) {
+    graph_t *graph = (graph_t *)user;
+    const float value = value_of(graph, mask);
+    ++graph->conditionals;
+    if (graph->conditionals % 5 == 0) {
+        return 0; // A recorder may have none here.
+    }
+    CHECK(graph->depth < DEPTH);
+    graph->mask[graph->depth] = value;
+    graph->open[graph->depth] = graph->conditionals;
+    return graph->open[graph->depth++];
+}
+
+static uint32_t end_if(void *user, uint64_t conditional, uint64_t *nodes, size_t count) {
+    graph_t *graph = (graph_t *)user;
+    CHECK(graph->depth > 0 && conditional == graph->open[graph->depth - 1] && count > 0);
+    const float mask = graph->mask[graph->depth - 1];
+    uint64_t merged[NODES];
+    float values[NODES];
+    for (size_t i = 0; i < count; ++i) {
+        values[i] = mask != 0.0f ? value_of(graph, nodes[i]) : NAN;
+    }
+    --graph->depth;
+    for (size_t i = 0; i < count; ++i) {
+        merged[i] = new_node(graph, values[i]);
+        if (merged[i] == 0) {
+            while (i-- > 0) {
+                release(graph, merged[i]);
+            }
+            return 0;
+        }
+    }
+    memcpy(nodes, merged, count * sizeof *nodes);
+    return 1;
+}
+
 static int read_words(uint32_t words[WORDS_IN]) {
     for (int i = 0; i < WORDS_IN; ++i) {
         unsigned word;
@@ -168,22 +217,35 @@ static void expect_bits(const graph_t *graph, uint64_t node, float expected) {
 }
 
 static graph_t graph;
-static const spherecap_recorder_t recorder = {&graph, literal, operation, release};
+static const spherecap_recorder_t recorders[2] = {{&graph, literal, operation, release, NULL, NULL},
+                                                  {&graph, literal, operation, release, begin_if, end_if}};
 
 static void start(void) {
     memset(&graph, 0, sizeof graph);
     graph.fails_at = NODES;
 }
 
-static unsigned check_sample(const uint32_t *words, const float *in, int with_nodes,
-                             const spherecap_sample_t *expected, int is_sampled) {
+// The most that any recording had.
+typedef struct most_t {
+    unsigned operations, conditionals;
+} most_t;
+
+static void add_to(most_t *most) {
+    CHECK(graph.depth == 0);
+    most->operations = graph.operations > most->operations ? graph.operations : most->operations;
+    most->conditionals = graph.conditionals > most->conditionals ? graph.conditionals : most->conditionals;
+}
+
+static void check_sample(most_t *most, const spherecap_recorder_t *recorder, const uint32_t *words,
+                         const float *in, int with_nodes, const spherecap_sample_t *expected,
+                         int is_sampled) {
     start();
     graph_t *inputs = with_nodes ? &graph : NULL;
     const spherecap_recorded_cap_t cap = recorded_cap(inputs, words, in);
     const spherecap_term_t u[2] = {term(inputs, in[10]), term(inputs, in[11])};
     const unsigned before = graph.alive;
     spherecap_recorded_sample_t sample;
-    CHECK(spherecap_record_sample(&recorder, &cap, u, &sample) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_record_sample(recorder, &cap, u, &sample) == SPHERECAP_STATUS_OK);
     CHECK(graph.alive == before + 11); // what the sample holds
     for (int i = 0; i < 3; ++i) {
         expect_bits(&graph, sample.direction[i], expected->direction[i]);
@@ -201,12 +263,13 @@ static unsigned check_sample(const uint32_t *words, const float *in, int with_no
     for (int i = 0; i < 5; ++i) {
         release(&graph, rest[i]); // each is another node, or this would be its second time
     }
-    CHECK(graph.alive == before);
-    return graph.operations;
+    CHECK(graph.alive == before && (with_nodes || graph.operations <= 1));
+    add_to(most);
 }
 
-static unsigned check_density(const uint32_t *words, const float *in, int with_nodes, const float *direction,
-                              const spherecap_density_t *expected) {
+static void check_density(most_t *most, const spherecap_recorder_t *recorder, const uint32_t *words,
+                          const float *in, int with_nodes, const float *direction,
+                          const spherecap_density_t *expected) {
     start();
     graph_t *inputs = with_nodes ? &graph : NULL;
     const spherecap_recorded_cap_t cap = recorded_cap(inputs, words, in);
@@ -214,18 +277,18 @@ static unsigned check_density(const uint32_t *words, const float *in, int with_n
                                    term(inputs, direction[2])};
     const unsigned before = graph.alive;
     spherecap_recorded_density_t density;
-    CHECK(spherecap_record_pdf_on_sphere(&recorder, &cap, d, &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_record_pdf_on_sphere(recorder, &cap, d, &density) == SPHERECAP_STATUS_OK);
     CHECK(graph.alive == before + 2);
     expect_bits(&graph, density.solid_angle, expected->solid_angle);
     expect_bits(&graph, density.projected_solid_angle, expected->projected_solid_angle);
     release(&graph, density.solid_angle);
     release(&graph, density.projected_solid_angle);
     CHECK(graph.alive == before);
-    return graph.operations;
+    add_to(most);
 }
 
 // A recorder that fails at its n-th node: everything comes back, whatever n.
-static void check_failures(const uint32_t *words, const float *in) {
+static void check_failures(const spherecap_recorder_t *recorder, const uint32_t *words, const float *in) {
     for (unsigned n = 9;; n += 7) {
         start();
         const spherecap_recorded_cap_t cap = recorded_cap(&graph, words, in);
@@ -235,12 +298,13 @@ static void check_failures(const uint32_t *words, const float *in) {
         spherecap_recorded_sample_t sample;
         spherecap_recorded_density_t density;
         fill_with_rubbish(&sample, sizeof sample);
-        if (spherecap_record_sample(&recorder, &cap, u, &sample) == SPHERECAP_STATUS_OK) {
+        if (spherecap_record_sample(recorder, &cap, u, &sample) == SPHERECAP_STATUS_OK) {
             CHECK(n > 100);
             return;
         }
         CHECK(is_all_zero(&sample, sizeof sample) && graph.alive == before);
-        CHECK(spherecap_record_pdf_on_sphere(&recorder, &cap, cap.normal, &density) ==
+        graph.depth = 0;
+        CHECK(spherecap_record_pdf_on_sphere(recorder, &cap, cap.normal, &density) ==
               SPHERECAP_STATUS_RECORDER);
         CHECK(is_all_zero(&density, sizeof density) && graph.alive == before);
     }
@@ -248,7 +312,8 @@ static void check_failures(const uint32_t *words, const float *in) {
 
 int main(void) {
     uint32_t words[WORDS_IN];
-    unsigned lines = 0, sampled = 0, sample_operations = 0, density_operations = 0;
+    unsigned lines = 0, sampled = 0;
+    most_t of_samples = {0, 0}, of_densities = {0, 0};
     while (read_words(words)) {
         float in[WORDS_IN];
         for (int i = 0; i < WORDS_IN; ++i) {
@@ -262,24 +327,26 @@ int main(void) {
         const int is_sampled = status == SPHERECAP_STATUS_OK;
         const float other[3] = {0.6f, 0.0f, 0.8f}, too_long[3] = {1.0f, 0.0f, 0.1f};
         const float *directions[3] = {is_sampled ? sample.direction : other, other, too_long};
-        // With nodes for all numbers, and with constants for all: then nothing is recorded but the results.
-        for (int with_nodes = 0; with_nodes < 2; ++with_nodes) {
-            const unsigned a = check_sample(words, in, with_nodes, &sample, is_sampled);
-            sample_operations = a > sample_operations ? a : sample_operations;
-            CHECK(with_nodes || a <= 1);
-            for (int i = 0; i < 3; ++i) {
-                const uint32_t expected = spherecap_pdf_on_sphere(&cap, directions[i], &density);
-                CHECK(status != SPHERECAP_STATUS_OK || (expected == SPHERECAP_STATUS_OK) == (i < 2));
-                const unsigned b = check_density(words, in, with_nodes, directions[i], &density);
-                density_operations = b > density_operations ? b : density_operations;
+        for (int i = 0; i < 2; ++i) {
+            const spherecap_recorder_t *recorder = &recorders[i];
+            // With nodes for all numbers, and with constants for all: then nothing is recorded but the
+            // results.
+            for (int with_nodes = 0; with_nodes < 2; ++with_nodes) {
+                check_sample(&of_samples, recorder, words, in, with_nodes, &sample, is_sampled);
+                for (int j = 0; j < 3; ++j) {
+                    const uint32_t expected = spherecap_pdf_on_sphere(&cap, directions[j], &density);
+                    CHECK(status != SPHERECAP_STATUS_OK || (expected == SPHERECAP_STATUS_OK) == (j < 2));
+                    check_density(&of_densities, recorder, words, in, with_nodes, directions[j], &density);
+                }
             }
-        }
-        if (lines % 500 == 0) {
-            check_failures(words, in);
+            if (lines % 500 == 0) {
+                check_failures(recorder, words, in);
+            }
         }
         ++lines;
         sampled += (unsigned)is_sampled;
     }
-    printf("%u %u %u %u\n", lines, sampled, sample_operations, density_operations);
+    printf("%u %u %u %u %u %u\n", lines, sampled, of_samples.operations, of_densities.operations,
+           of_samples.conditionals, of_densities.conditionals);
     return 0;
 }
