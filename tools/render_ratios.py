@@ -10,6 +10,7 @@ import gc
 import sys
 import time
 
+import fresh_kernels  # before Dr.Jit
 import numpy as np
 from renderlab.scenes import load_scene, scene_names  # before Dr.Jit
 from spherecap_command.compare import render
@@ -36,7 +37,7 @@ def arguments() -> argparse.Namespace:
 def compilation(name: str, emitter: str, parameters: dict) -> tuple[int, float]:
     """Return the operations in the kernels of a render, and the milliseconds that they take to compile."""
     scene = load_scene(name, emitter, **parameters)
-    dr.flush_kernel_cache()
+    fresh_kernels.forget()
     dr.kernel_history_clear()
     with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
         render(scene, parameters["spp"], seed=0)
