@@ -25,22 +25,14 @@ pub(super) struct Ellipse<L> {
     pub beyond: L,
 }
 
-/// `z^2`, what [`place`] needs the root of.
-#[inline(always)]
-pub(super) fn radicand<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> L {
-    let s = cap.radius_sin;
-    let rim = (s * cap.elevation_cos).fma(point.from_edge, -cap.rise).max(L::lit(0.0));
-    let bulge = s * s * (point.chord2 * point.across_complement);
-    rim.fma(rim, bulge)
-}
-
 /// The direction for a point of the unit disk on this side of the chord, as if the centre were above the horizon.
 #[inline(always)]
-pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>, root: L) -> Offset<L> {
+pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
     let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
     let xi = lit(1.0) - point.from_edge;
     let rest = point.chord2 * point.across_complement;
-    let cosine = root;
+    let rim = (s * x).fma(point.from_edge, -cap.rise).max(L::lit(0.0));
+    let cosine = rim.fma(rim, s * s * rest).sqrt();
     let side = s * point.chord * point.across;
     let zv = z_centre * cap.radius_cos;
     let climb = (x * xi).fma((s * x).fma(xi, lit(-2.0) * zv), s * rest) / (cosine + zv);

@@ -280,7 +280,7 @@ impl<L: Lane> Sampler<L> {
         let offset = match self.technique {
             Technique::SolidAngle => {
                 let point = square_to_disk(u0, u1);
-                solid_angle::place(&self.cap, point, solid_angle::radicand(&self.cap, point).sqrt())
+                solid_angle::place(&self.cap, point)
             }
             _ => self.sample_mixture(u0, u1),
         };
@@ -356,11 +356,7 @@ impl<L: Lane> Sampler<L> {
             {
                 let from_edge = from_edge(h, near.lt(far));
                 let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
-                // One root for both.
-                let root =
-                    branch!(is_plain, solid_angle::radicand(cap, point), ellipse::radicand(cap, point))
-                        .sqrt();
-                branch!(is_plain, solid_angle::place(cap, point, root), ellipse::place(cap, point, root))
+                branch!(is_plain, solid_angle::place(cap, point), ellipse::place(cap, point))
             },
             {
                 let (side, cosine) = (chord * across, chord * m);

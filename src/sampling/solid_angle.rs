@@ -21,18 +21,14 @@ fn depth<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> L {
     height(cap) * (lit(1.0) - point.chord2 * point.across_complement)
 }
 
-/// What [`place`] needs the root of.
-#[inline(always)]
-pub(super) fn radicand<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> L {
-    height(cap) * (lit(2.0) - depth(cap, point))
-}
-
 /// The direction for a point of the unit disk.
 #[inline(always)]
-pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>, root: L) -> Offset<L> {
+pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
+    let depth = depth(cap, point);
+    let root = (height(cap) * (lit(2.0) - depth)).sqrt();
     let zenith = (point.from_edge - lit(1.0)) * root;
     let side = point.chord * point.across * root;
-    Offset { zenith, side, cosine: cap.cosine(lit(1.0) - depth(cap, point), zenith) }
+    Offset { zenith, side, cosine: cap.cosine(lit(1.0) - depth, zenith) }
 }
 
 #[inline(always)]
