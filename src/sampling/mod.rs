@@ -20,7 +20,7 @@ use crate::disk::{
     areas_of_chord, cube_of_power, from_edge, height_per_power, power_per_height, shape_and_difference,
     square_to_disk, symmetric, two_thirds_power, DiskPoint,
 };
-use crate::lane::{branch, lit, Blend, Lane, Only};
+use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 use crate::vec3::Vec3;
 use core::f64::consts::PI;
@@ -326,13 +326,18 @@ impl<L: Lane> Sampler<L> {
         let share = self.ellipse.crescent_share;
         let is_disk = is_plain | (centre_side & share.le(u0));
         let (across, across_complement) = symmetric(u1);
-        let (disk_u0, beyond) = branch!(is_plain, (u0, zero), (self.ellipse.remap(u0), self.ellipse.beyond));
-        let [near, far] = areas_of_chord(disk_u0, beyond);
 
         // The disk and the slices of the crescent are measured by the same segments: what they share is written once, so
-        // that packets and graphs, which follow both sides, pay for it once.
-        let (cube, Only([m, g2, end])) = branch!(
-            !is_disk,
+        // that packets and graphs, which may follow both sides, pay for it once. Of its own the disk has which side of its
+        // middle a point is on, and a slice has its m.
+        let ([cube, scale, g2], own) = branch!(
+            is_disk,
+            {
+                let ellipse = &self.ellipse;
+                let (u0, beyond) = branch!(is_plain, (u0, zero), (ellipse.remap(u0), ellipse.beyond));
+                let [near, far] = areas_of_chord(u0, beyond);
+                ([cube_of_power(near.min(far)), one, one], near - far)
+            },
             {
                 let Slice { u0, m, g2, end } = match self.technique {
                     Technique::Projected => {
@@ -340,26 +345,26 @@ impl<L: Lane> Sampler<L> {
                     }
                     _ => bounded::slice(cap, centre_side, share, u0, across_complement),
                 };
-                (u0, Only([m, g2, end]))
-            },
-            (cube_of_power(near.min(far)), Blend::blank())
+                ([u0, end * power_per_height(g2 * end), g2], m)
+            }
         );
         // Heights over g2, so that thin slices keep their digits.
-        let power = two_thirds_power(cube);
-        let k = branch!(is_disk, power, power * end * power_per_height(g2 * end));
-        let h1 = k * height_per_power(branch!(is_disk, k, k * g2));
-        let (h1, h) = branch!(is_disk, (h1.min(one), h1.min(one)), (h1, g2 * h1));
+        let k = scale * two_thirds_power(cube);
+        let h1 = k * height_per_power(k * g2);
+        // The middle of the disk is as far as its segments go.
+        let h1 = branch!(is_disk, h1.min(one), h1);
+        let h = g2 * h1;
         let chord2 = h1 * (lit(2.0) - h);
         let chord = chord2.sqrt();
         branch!(
             is_disk,
             {
-                let from_edge = from_edge(h, near.lt(far));
+                let from_edge = from_edge(h, own.lt(zero));
                 let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
                 branch!(is_plain, solid_angle::place(cap, point), ellipse::place(cap, point))
             },
             {
-                let (side, cosine) = (chord * across, chord * m);
+                let (side, cosine) = (chord * across, chord * own);
                 match self.technique {
                     Technique::Projected => crescent::offset(cap, centre_side, h, side, cosine),
                     _ => bounded::place(cap, centre_side, h, side, cosine),

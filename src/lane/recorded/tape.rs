@@ -59,7 +59,7 @@ pub(crate) struct Conditional(pub u64);
 /// A side of a branch with fewer operations is computed everywhere: a conditional costs a test, a jump, and a merge of each of
 /// its results. With Dr.Jit on LLVM the time of renders is the same for anything from 4 to 20, but that of compilation grows
 /// with the number of conditionals.
-const FEWEST: usize = 16;
+const FEWEST: usize = 12;
 
 /// Place on a tape.
 pub(super) type Index = usize;
