@@ -295,17 +295,13 @@ impl<L: Lane> Sampler<L> {
     fn sample_mixture(&self, u0: L, u1: L) -> Offset<L> {
         let one = L::lit(1.0);
         let is_plain = u0.lt(self.defensive);
-        let u0 = branch!(
-            L::lit(0.0).lt(self.requested),
-            branch!(is_plain, interior(u0 / self.defensive), remap(u0, self.defensive)),
-            u0
-        );
+        let u0 = branch!(L::lit(0.0).lt(self.requested), left_over(u0, self.defensive, is_plain), u0);
         let centre_above = L::lit(0.0).lt(self.cap.elevation_sin);
         match self.hemispheres {
             Hemispheres::Front => self.sample_part(is_plain, centre_above, u0, u1),
             Hemispheres::Both => {
                 let above = is_plain | u0.lt(self.share_above);
-                let side_u0 = L::select(above, interior(u0 / self.share_above), remap(u0, self.share_above));
+                let side_u0 = left_over(u0, self.share_above, above);
                 // The centre's side is the one where both or neither are above.
                 let centre_side = (above & centre_above) | (!above & !centre_above);
                 let u0 = L::select(is_plain, u0, side_u0);
@@ -557,10 +553,12 @@ fn interior<L: Lane>(u: L) -> L {
     u.max(L::lit(margin)).min(L::lit(1.0 - margin))
 }
 
-/// What is left of `u` in `[share, 1]`, stretched to the unit interval.
+/// What is left of `u` after a choice, the first part for `u` in `[0, share)`: its place there, or in `[share, 1]`, as a
+/// number in the unit interval.
 #[inline(always)]
-fn remap<L: Lane>(u: L, share: L) -> L {
-    interior((u - share) / (lit(1.0) - share))
+fn left_over<L: Lane>(u: L, share: L, is_first: L::Mask) -> L {
+    let (part, whole) = branch!(is_first, (u, share), (u - share, lit(1.0) - share));
+    interior(part / whole)
 }
 
 /// Share of the cap's solid angle that lies above the horizon.
