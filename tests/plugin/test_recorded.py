@@ -277,7 +277,13 @@ def test_moving_the_light_compiles_nothing():
         assert not np.allclose(moved, first)
 
 
-def test_recording_has_a_budget():
+# Without conditionals, what is computed; with them, the merging of their results, too.
+@pytest.mark.parametrize(
+    ("symbolic", "budget"),
+    [(False, {"sample": 450, "pdf": 250}), (True, {"sample": 580, "pdf": 280})],
+    ids=["selects", "conditionals"],
+)
+def test_recording_has_a_budget(symbolic, budget):
     """Operations of a sample and of a density, and milliseconds to compile them, beside `area`'s."""
     mi.set_variant("llvm_ad_rgb")
     it = dr.zeros(mi.SurfaceInteraction3f, 1 << 10)
@@ -285,18 +291,21 @@ def test_recording_has_a_budget():
     it.p, it.n = mi.Point3f(rng.next_float32()), dr.normalize(mi.Normal3f(rng.next_float32(), 0, 1))
     u = mi.Point2f(rng.next_float32(), rng.next_float32())
     dr.eval(it, u)
-    # What conditionals add to them counts, too: about 120 and 25 operations.
-    budget = {"sample": 580, "pdf": 280}
     counts = {}
     for name, parameters in (("area", {}), ("spherecap", {"hemispheres": "front", "defensive": 0.0})):
         emitter = light(name, **parameters).emitter()
         ds, _ = emitter.sample_direction(it, u)
         dr.eval(ds)
         for what in budget:
-            result = emitter.sample_direction(it, u) if what == "sample" else emitter.pdf_direction(it, ds)
-            dr.flush_kernel_cache()
-            dr.kernel_history_clear()
-            with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+            with (
+                dr.scoped_set_flag(dr.JitFlag.SymbolicConditionals, symbolic),
+                dr.scoped_set_flag(dr.JitFlag.KernelHistory, True),
+            ):
+                result = (
+                    emitter.sample_direction(it, u) if what == "sample" else emitter.pdf_direction(it, ds)
+                )
+                dr.flush_kernel_cache()
+                dr.kernel_history_clear()
                 dr.eval(result)
                 kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
             counts[name, what] = sum(k["operation_count"] for k in kernels)
