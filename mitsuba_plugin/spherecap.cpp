@@ -99,8 +99,9 @@ outwards only.
     - The sphere must be scaled uniformly, and its normals must point outwards. It may be moved and scaled
 later through :monosp:`mi.traverse`.
     - Vertices in participating media have no surface, and use :monosp:`solid_angle`.
-    - The automatic choices look at the BSDFs and shapes that the scene has when it is created. Replacing them
-      later, or writing a BSDF in Python that changes the normal, calls for explicit parameters.
+    - The automatic choices look at the BSDFs and shapes that the scene has when it is created: replacing them
+      later calls for explicit parameters. A BSDF that is written in Python is taken for one that may do
+      everything: :monosp:`both` and 1/8.
     - Runs in all variants. Where kernels are compiled, moving the light does not compile them again.
 Gradients do not flow through the choice of samples; those with respect to the radiance, and to all that does
 not belong to the emitter, are what they are with :monosp:`area`.
@@ -205,6 +206,8 @@ public:
         if (!(m_defensive >= 0.f && m_defensive <= 1.f))
             Throw("The \"defensive\" fraction of a spherecap emitter is a probability in [0, 1], not %s.",
                   m_defensive);
+        // What is given is not asked of the surfaces.
+        m_demands.demand(m_hemispheres.value != HemispheresAuto, !m_defensive_auto);
 
         m_flags = +EmitterFlags::Surface;
     }

@@ -2,7 +2,9 @@
 
    A light is told the geometric normal of the point that it illuminates, but neither which side of the
    surface is being shaded nor the shading normal. Both are properties of the scene, so the light looks once,
-   when it is attached to its scene. Later changes of a BSDF or a mesh reach no emitter. */
+   when it is attached to its scene. Later changes of a BSDF or a mesh reach no emitter.
+
+   What cannot be known is demanded: too much costs some noise, too little loses light. */
 
 #pragma once
 
@@ -23,6 +25,12 @@ public:
 
     /// Some surface is shaded with another normal than its geometric one.
     bool shading_normals() const { return m_shading_normals; }
+
+    /// Demands one or the other whatever the surfaces are, which are then not asked about it.
+    void demand(bool both_sides, bool shading_normals) {
+        m_both_sides |= both_sides;
+        m_shading_normals |= shading_normals;
+    }
 
     void look_at(const Scene *scene) {
         for (ref<Shape> shape : scene->shapes())
@@ -45,22 +53,46 @@ private:
         // `sdfgrid` does not tell whether it interpolates its normals: assume that it does.
         m_shading_normals |= shape->shape_type() == +ShapeType::SDFGrid;
 
-        // Only smooth lobes are lit by emitter sampling. `Null`, a part of `Transmission`, is not among them,
-        // so media boundaries, masks and clear glass demand nothing.
-        constexpr uint32_t Smooth = +BSDFFlags::Smooth;
-        constexpr uint32_t Back =
-            BSDFFlags::BackSide | BSDFFlags::DiffuseTransmission | BSDFFlags::GlossyTransmission;
-        if (const BSDF *bsdf = shape->bsdf())
-            for (size_t i = 0; i < bsdf->component_count(); ++i)
-                m_both_sides |= (bsdf->flags(i) & Smooth) != 0 && (bsdf->flags(i) & Back) != 0;
-
-        // The parameters of a shape and of its BSDFs say the rest. (The wheel's `render/mesh.h`, where a mesh
-        // would answer directly, includes a file that the wheel lacks.)
+        // The parameters of a shape are its BSDF and, if it is a mesh, its normals. (The wheel's
+        // `render/mesh.h`, where a mesh would answer directly, includes a file that the wheel lacks.)
         m_faces = nullptr;
         m_positions = m_normals = nullptr;
         shape->traverse(this);
         if (m_faces && m_positions && m_normals)
             compare_normals();
+    }
+
+    void look_at(BSDF *bsdf) {
+        // One that is written in Python has no class name of its own. What it says of itself may be
+        // incomplete or wrong without Mitsuba noticing, and its `traverse` may want another kind of callback.
+        if (bsdf->class_name() == BSDF::ClassName) {
+            demand(true, true);
+            return;
+        }
+
+        uint32_t listed = 0;
+        for (size_t i = 0; i < bsdf->component_count(); ++i) {
+            listed |= bsdf->flags(i);
+            m_both_sides |= is_lit_from_behind(bsdf->flags(i));
+        }
+        // Mitsuba itself reads the flags of the whole.
+        constexpr uint32_t Lobes = BSDFFlags::All | BSDFFlags::FrontSide | BSDFFlags::BackSide;
+        if ((bsdf->flags() & ~listed & Lobes) != 0)
+            m_both_sides |= is_lit_from_behind(bsdf->flags());
+
+        // No flag tells these two from the BSDF that they wrap.
+        m_shading_normals |= bsdf->class_name() == "BumpMap" || bsdf->class_name() == "NormalMap";
+
+        // The BSDFs that it is made of
+        bsdf->traverse(this);
+    }
+
+    /// Only smooth lobes are lit by emitter sampling. `Null`, a part of `Transmission`, is not among them, so
+    /// media boundaries, masks and clear glass demand nothing.
+    static bool is_lit_from_behind(uint32_t flags) {
+        constexpr uint32_t Transmission = BSDFFlags::DiffuseTransmission | BSDFFlags::GlossyTransmission;
+        return has_flag(flags, BSDFFlags::Smooth) &&
+               (has_flag(flags, BSDFFlags::BackSide) || (flags & Transmission) != 0);
     }
 
     void put_value(std::string_view name, void *value, uint32_t, const std::type_info &type) override {
@@ -73,11 +105,8 @@ private:
     }
 
     void put_object(std::string_view, Object *object, uint32_t) override {
-        if (!object || object->type() != ObjectType::BSDF)
-            return;
-        // No flag tells these two from the BSDF that they wrap.
-        m_shading_normals |= object->class_name() == "BumpMap" || object->class_name() == "NormalMap";
-        object->traverse(this);
+        if (object && object->type() == ObjectType::BSDF)
+            look_at(static_cast<BSDF *>(object));
     }
 
     /// Looks for a vertex normal of a mesh that is not the normal of its triangle: boxes, and most files of
