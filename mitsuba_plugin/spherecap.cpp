@@ -13,7 +13,9 @@
 
 #include <spherecap.h>
 
+#include "gradients.h"
 #include "recorder.h"
+#include "sphere.h"
 #include "surfaces.h"
 
 // Mitsuba passes Dr.Jit arrays to plugins by value, and the compiler's flags decide their layout: with wrong
@@ -26,6 +28,7 @@ static_assert(sizeof(mitsuba::Vector<float, 3>) == 16 && alignof(mitsuba::Vector
 
 NAMESPACE_BEGIN(mitsuba)
 
+// clang-format off
 /**!
 
 .. _emitter-spherecap:
@@ -46,7 +49,7 @@ Sphere light sampled by projected solid angle (:monosp:`spherecap`)
    - How directions towards the light are chosen. (Default: :monosp:`projected`)
 
      - :monosp:`projected`: uniformly over the projected solid angle of the visible part of the sphere that
-lies above the surface. Without occlusion a diffuse surface then has no noise.
+       lies above the surface. Without occlusion a diffuse surface then has no noise.
      - :monosp:`projected_bounded`: the same where the centre of the sphere is above the surface; where it is
        below, a close approximation of it (a warp, with its exact density).
      - :monosp:`solid_angle`: uniformly over the solid angle of the whole visible part, as the
@@ -67,7 +70,7 @@ lies above the surface. Without occlusion a diffuse surface then has no noise.
    - Probability, in :math:`[0, 1]`, of sampling the whole visible part by solid angle instead. It bounds the
      noise where the shading normal differs from the geometric one, which an emitter is not told. (Default:
      0 if no mesh of the scene has interpolated normals and no BSDF perturbs them, else 1/8. Until the
-emitter is part of a scene: 1/8)
+     emitter is part of a scene: 1/8)
 
 This plugin is a drop-in replacement for the :ref:`area <emitter-area>` emitter on a :ref:`sphere
 <shape-sphere>`. It emits the same light, and renders converge to the same image; only the samples are chosen
@@ -97,16 +100,17 @@ outwards only.
 
 .. note::
     - The sphere must be scaled uniformly, and its normals must point outwards. It may be moved and scaled
-later through :monosp:`mi.traverse`.
+      later through :monosp:`mi.traverse`.
     - Vertices in participating media have no surface, and use :monosp:`solid_angle`.
     - The automatic choices look at the BSDFs and shapes that the scene has when it is created: replacing them
       later calls for explicit parameters. A BSDF that is written in Python is taken for one that may do
       everything: :monosp:`both` and 1/8.
     - Runs in all variants. Where kernels are compiled, moving the light does not compile them again.
-Gradients do not flow through the choice of samples; those with respect to the radiance, and to all that does
-not belong to the emitter, are what they are with :monosp:`area`.
+    - Derivatives are those of :monosp:`area`, also for integrators that differentiate what they have sampled:
+      a sample keeps its place in the cap that the light is seen as, and follows it.
 
  */
+// clang-format on
 
 /// What this file was compiled for; the Python package reads it from the finished plugin.
 static constexpr char BuiltFor[] = "spherecap plugin for Mitsuba " MITSUBA_WHEEL_VERSION;
@@ -162,31 +166,12 @@ static constexpr Choice Hemispheres[] = {
 /// `area`.
 static constexpr float DefensiveFraction = 0.125f;
 
-/// Finds the transformation of a shape, which has no accessor, among its parameters.
-template <typename Transform>
-class FindToWorld final : public TraversalCallback {
-public:
-    static const Transform *in(Object *shape) {
-        FindToWorld visitor;
-        shape->traverse(&visitor);
-        return visitor.m_to_world;
-    }
-
-private:
-    void put_value(std::string_view name, void *value, uint32_t, const std::type_info &type) override {
-        if (name == "to_world" && type == typeid(Transform))
-            m_to_world = static_cast<const Transform *>(value);
-    }
-    void put_object(std::string_view, Object *, uint32_t) override {}
-
-    const Transform *m_to_world = nullptr;
-};
-
 template <typename Float, typename Spectrum>
 class SphereCap final : public Emitter<Float, Spectrum> {
 public:
     MI_IMPORT_BASE(Emitter, m_flags, m_shape, m_medium)
     MI_IMPORT_TYPES(Scene, Shape, Texture)
+    using Sphere = mitsuba::Sphere<Float>;
 
     SphereCap(const Properties &props) : Base(supported(props)) {
         if (props.has_property("to_world"))
@@ -220,12 +205,12 @@ public:
     void parameters_changed(const std::vector<std::string> &keys) override {
         // A sphere that was moved tells its emitter: "parent".
         if (m_shape && (keys.empty() || string::contains(keys, "parent")))
-            follow(m_shape);
+            m_sphere = Sphere::of(m_shape);
         Base::parameters_changed(keys);
     }
 
     void set_shape(Shape *shape) override {
-        follow(shape);
+        m_sphere = Sphere::of(shape);
         Base::set_shape(shape);
     }
 
@@ -262,7 +247,11 @@ public:
         if (!attached())
             return {dr::zeros<DirectionSample3f>(), 0.f};
 
-        DirectionSample3f ds = sample_cap(it, sample, active);
+        DirectionSample3f ds = sample_cap(it, sample, active && !is_own(it));
+        if constexpr (dr::is_diff_v<Float>) {
+            if (dr::grad_enabled(it.p, m_sphere))
+                Following<Float>::attach(m_sphere, it.p, ds.d, ds.dist, ds.p, ds.n, ds.pdf);
+        }
         ds.time = it.time;
         ds.emitter = this;
         active &= ds.pdf != 0.f;
@@ -276,8 +265,13 @@ public:
         MI_MASKED_FUNCTION(ProfilerPhase::EndpointEvaluate, active);
         if (!attached())
             return 0.f;
-        active &= dr::dot(ds.d, ds.n) < 0.f;
-        return dr::select(active, pdf_cap(it, ds.d, active), 0.f);
+        active &= dr::dot(ds.d, ds.n) < 0.f && !is_own(it);
+        Float pdf = dr::select(active, pdf_cap(it, ds.d, active), 0.f);
+        if constexpr (dr::is_diff_v<Float>) {
+            if (dr::grad_enabled(it.p, ds.d, m_sphere))
+                pdf = Following<Float>::attached_pdf(m_sphere, it.p, it.n, ds.d, pdf, uniform());
+        }
+        return pdf;
     }
 
     Spectrum eval_direction(const Interaction3f &it, const DirectionSample3f &ds,
@@ -315,7 +309,7 @@ public:
             << "  defensive = " << defensive() << (m_defensive_auto ? " (auto)" : "") << "," << std::endl
             << "  sphere = ";
         if (m_shape) // which may be gone by now: print what was taken over from it
-            out << "[center = " << m_center << ", radius = " << m_radius << "]";
+            out << "[center = " << m_sphere.center << ", radius = " << m_sphere.radius << "]";
         else
             out << "<no shape attached!>";
         out << "," << std::endl << "  medium = ";
@@ -337,39 +331,6 @@ private:
         return m_shape != nullptr;
     }
 
-    /// Takes over the centre and the radius of a shape, and refuses what is not a sphere that emits outwards.
-    void follow(Shape *shape) {
-        if (shape->shape_type() != +ShapeType::Sphere)
-            Throw("A spherecap emitter must be attached to a \"sphere\", not to a shape of class %s: use the "
-                  "\"area\" emitter for other shapes.",
-                  shape->class_name());
-        if (shape->has_flipped_normals())
-            Throw("The sphere of a spherecap emitter must not have flipped normals (\"flip_normals\", or a "
-                  "mirroring \"to_world\"): remove the flip, or use the \"area\" emitter.");
-
-        const AffineTransform4f *to_world = FindToWorld<AffineTransform4f>::in(shape);
-        if (!to_world)
-            Throw("The \"sphere\" of this Mitsuba has no parameter \"to_world\".");
-        const Vector3f axes[3] = {*to_world * Vector3f(1.f, 0.f, 0.f), *to_world * Vector3f(0.f, 1.f, 0.f),
-                                  *to_world * Vector3f(0.f, 0.f, 1.f)};
-        const Float radius = dr::norm(axes[0]);
-
-        // Rounding in a product of a few transformations is of order 1e-6; a difference of 1e-4 changes the
-        // light by 2e-4, which no image shows.
-        const Float tolerance = 1e-4f * radius;
-        Mask uniform = radius > 0.f && dr::isfinite(radius);
-        for (size_t i = 0; i < 3; ++i)
-            uniform &= dr::abs(dr::norm(axes[i]) - radius) <= tolerance &&
-                       dr::abs(dr::dot(axes[i], axes[(i + 1) % 3])) <= tolerance * radius;
-        if (!dr::all(uniform))
-            Throw("The sphere of a spherecap emitter must have a positive radius and a uniformly scaled "
-                  "\"to_world\", without shear: use the \"area\" emitter on a mesh for ellipsoids.");
-
-        m_radius = dr::detach(radius);
-        m_center = dr::detach(*to_world * Point3f(0.f));
-        dr::make_opaque(m_radius, m_center);
-    }
-
     uint32_t hemispheres() const {
         if (m_hemispheres.value != HemispheresAuto)
             return m_hemispheres.value;
@@ -379,6 +340,18 @@ private:
 
     ScalarFloat defensive() const {
         return m_defensive_auto && m_in_scene && !m_demands.shading_normals() ? 0.f : m_defensive;
+    }
+
+    /// Is this a point of the light's own surface that might be lit from below?
+    Mask is_own(const Interaction3f &it) const {
+        if (hemispheres() == SPHERECAP_HEMISPHERES_FRONT && uniform() == 0.f)
+            return false;
+        return m_sphere.has(it.p, it.n, it.t);
+    }
+
+    /// The probability of a direction that is uniform in solid angle.
+    ScalarFloat uniform() const {
+        return m_technique.value == SPHERECAP_TECHNIQUE_SOLID_ANGLE ? 1.f : defensive();
     }
 
     // The functions below are all that differs between the executions of the library's kernel.
@@ -391,7 +364,7 @@ private:
             // skipped.
             using Drawn = dr::tuple<Normal3f, Vector3f, Float, Float>;
             const Drawn drawn = dr::if_stmt(
-                dr::make_tuple(dr::detach(it.n), dr::detach(m_center.value() - it.p), dr::detach(sample)),
+                dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p), dr::detach(sample)),
                 active,
                 [this](const Normal3f &normal, const Vector3f &centre, const Point2f &sample) {
                     using Recorder = mitsuba::Recorder<Float>;
@@ -424,8 +397,7 @@ private:
             ds.dist = drawn.distance;
             ds.pdf = drawn.density.solid_angle;
         }
-        // Relative to the sphere, not to the point, so that the rounding does not grow with the distance.
-        ds.p = dr::fmadd(Vector3f(ds.n), m_radius.value(), m_center.value());
+        ds.p = m_sphere.point(ds.n);
         return ds;
     }
 
@@ -434,7 +406,7 @@ private:
         if constexpr (dr::is_jit_v<Float>) {
             // Likewise: few rays meet the light by chance.
             return dr::if_stmt(
-                dr::make_tuple(dr::detach(it.n), dr::detach(m_center.value() - it.p), dr::detach(direction)),
+                dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p), dr::detach(direction)),
                 active,
                 [this](const Normal3f &normal, const Vector3f &centre, const Vector3f &direction) {
                     using Recorder = mitsuba::Recorder<Float>;
@@ -460,10 +432,10 @@ private:
 
     /// The part of the light that a point sees; false if that is none.
     bool prepare(const Interaction3f &it, spherecap_cap_t &cap) const {
-        const Vector3f c = m_center.value() - it.p;
+        const Vector3f c = m_sphere.center - it.p;
         const float normal[3] = {it.n.x(), it.n.y(), it.n.z()}, center[3] = {c.x(), c.y(), c.z()};
         return spherecap_prepare(m_technique.value, hemispheres(), defensive(), normal, center,
-                                 m_radius.value(), &cap) == SPHERECAP_STATUS_OK;
+                                 m_sphere.radius, &cap) == SPHERECAP_STATUS_OK;
     }
 
     /// The same for the recorded kernel. The centre is the light's, seen from the point.
@@ -475,14 +447,12 @@ private:
         cap.defensive = Recorder::term(defensive());
         Recorder::terms(normal, cap.normal);
         Recorder::terms(centre, cap.centre);
-        cap.radius = Recorder::term(m_radius.value());
+        cap.radius = Recorder::term(m_sphere.radius);
         return cap;
     }
 
     ref<Texture> m_radiance;
-    /// Centre and radius of the sphere in world space
-    field<Point3f> m_center;
-    field<Float> m_radius;
+    Sphere m_sphere;
 
     Choice m_technique, m_hemispheres;
     ScalarFloat m_defensive;
@@ -491,7 +461,7 @@ private:
     bool m_in_scene = false;
     SurfaceDemands<Float, Spectrum> m_demands;
 
-    MI_TRAVERSE_CB(Base, m_radiance, m_center, m_radius)
+    MI_TRAVERSE_CB(Base, m_radiance, m_sphere)
 };
 
 MI_EXPORT_PLUGIN(SphereCap)

@@ -3,6 +3,7 @@
 import ctypes
 import os
 import subprocess
+from functools import partial
 from pathlib import Path
 
 import drjit as dr
@@ -159,18 +160,22 @@ def test_bits_of_the_scalar_kernel(batch, technique, hemispheres, defensive, pla
     ds, weight = emitter.sample_direction(it, mi.Point2f(u.T), active)
     found = rows(ds.d, ds.n, ds.dist, ds.pdf, ds.p)
     assert np.isfinite(found).all()
-    agree = same_bits(found, expected)
-    sampled = expected[:, 7] > 0
+    # The plugin alone knows that a point is one of the light's own (test_own_surface.py), and answers zero.
+    own = np.abs(center + radius * n - p).max(1) < 2e-6 * (np.abs(center).max() + radius)
+    assert own.mean() < 0.01
+    agree = same_bits(found, expected) | own & (found[:, 7] == 0)
+    sampled = ~own & (expected[:, 7] > 0)
     print(f"{agree.mean():.6f} agree, {sampled.mean():.3f} have something to sample")
     assert agree.all(), (found[~agree][:3], expected[~agree][:3], p[~agree][:3], n[~agree][:3])
     assert 0.2 < sampled.mean() < 0.99
     weight = rows(weight)[:, 0]
     assert np.array_equal(weight[sampled], 1 / expected[sampled, 7])
-    assert not weight[~sampled].any()
+    assert not weight[~own & ~sampled].any()
 
     ds.d, ds.n = mi.Vector3f(d.T), mi.Normal3f(-d.T)
     found = rows(emitter.pdf_direction(it, ds, active))[:, 0]
-    assert np.array_equal(found, expected_pdf), (found[found != expected_pdf][:3],)
+    agree = (found == expected_pdf) | own & (found == 0)
+    assert agree.all(), (found[~agree][:3], expected_pdf[~agree][:3])
     assert (found > 0).mean() > 0.1
 
 
@@ -250,31 +255,57 @@ def test_nothing_is_left_behind():
     assert variables() == before
 
 
-def test_moving_the_light_compiles_nothing():
-    """Nor does changing its radius, or its radiance."""
-    mi.set_variant("llvm_ad_rgb")
-    sphere = light(radiance={"type": "rgb", "value": [1, 2, 3]})
+def kernels_of(work):
+    """The kernels that Dr.Jit runs for some work, as their hashes."""
+    dr.kernel_history_clear()
+    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+        work()
+        dr.sync_thread()
+        return [k["hash"] for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
+
+
+#: Centres and radii: equal numbers and zeros, here and there, and none.
+PLACES = [
+    ((1, 2, 5), 2.0),
+    ((0, 0.5, 7), 0.25),
+    ((2, 2, 2), 2.0),
+    ((0, 0, 0), 1.0),
+    ((3, 3, 7), 3.0),
+    ((3, -3, 0.7), 0.3),
+]
+
+
+@pytest.mark.parametrize("variant", LLVM_VARIANTS)
+def test_moving_the_light_compiles_nothing(variant):
+    """Nor does changing its radius, or its radiance: one kernel serves, and none but the sphere's own runs.
+
+    Points are in memory, as a renderer's are. (Dr.Jit sorts what it compiles by age, and constants are as old
+    as the first of their value that is still alive: with constants a kernel may be another next time.)
+    """
+    mi.set_variant(variant)
+    spheres = {name: light(name, radiance=2.0) for name in ("area", "spherecap")}
     it = dr.zeros(mi.SurfaceInteraction3f, 16)
-    it.n = mi.Normal3f(0, 0, 1)
-    params = mi.traverse(sphere)
+    it.p = mi.Point3f(0, 0, 20)
+    it.n = mi.Normal3f(0, 0, -1)
+    sample = mi.Point2f(0.3, 0.4)
+    dr.make_opaque(it, sample)
 
-    def draw():
-        ds, weight = sphere.emitter().sample_direction(it, mi.Point2f(0.3, 0.4))
-        dr.kernel_history_clear()
-        with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
-            dr.eval(ds, weight)
-            kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
-        return [k["hash"] for k in kernels], rows(ds.p, weight)
+    updates, kernels, moved = {}, {}, {}
+    for name, sphere in spheres.items():
+        params = mi.traverse(sphere)
+        for center, radius in PLACES:
+            params["to_world"] = mi.Transform4f().translate(center).scale(radius)
+            params["emitter.radiance.value"] = mi.Float(radius)
+            updates.setdefault(name, []).append(kernels_of(params.update))
+            ds, weight = sphere.emitter().sample_direction(it, sample)
+            kernels.setdefault(name, []).append(kernels_of(partial(dr.eval, ds, weight)))
+            moved.setdefault(name, []).append(rows(ds.p))
 
-    kernels, first = draw()
-    for center, radius in (((1, 2, 5), 2.0), ((0, 0.5, 7), 0.25)):
-        params["to_world"] = mi.Transform4f().translate(center).scale(radius)
-        params["emitter.radiance.value"] = mi.Color3f(radius)
-        params.update()
-        again, moved = draw()
-        assert again == kernels
-        assert np.linalg.norm(moved[:, :3] - center, axis=1) == pytest.approx(radius, rel=1e-5)
-        assert not np.allclose(moved, first)
+    assert updates["spherecap"] == updates["area"]
+    assert all(kernel == kernels["spherecap"][0] for kernel in kernels["spherecap"])
+    for (center, radius), found in zip(PLACES, moved["spherecap"], strict=True):
+        assert np.linalg.norm(found - center, axis=1) == pytest.approx(radius, rel=1e-5)
+    assert len({found.tobytes() for found in moved["spherecap"]}) == len(PLACES)
 
 
 # Without conditionals, what is computed; with them, the merging of their results, too.
