@@ -7,6 +7,9 @@ BIN := $(VENV)/bin
 PLUGIN := mitsuba_plugin/spherecap/plugins/spherecap.so
 LIBRARY := target/release/libspherecap.a
 SHARED := target/release/libspherecap.so
+# The releases of Mitsuba that the plugin can be built for beside the pinned one, and one that it must refuse.
+OLDER_MITSUBAS := $(shell sed -n 's/^set(mitsubas [^ ]* \(.*\))/\1/p' mitsuba_plugin/CMakeLists.txt)
+REFUSED_MITSUBA := 3.6.4
 C_RENDERER := build/renderer
 IRRADIANCE := build/irradiance
 CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h examples/*.c)
@@ -26,8 +29,8 @@ INSTALLED := include/spherecap.h lib/libspherecap.a lib/libspherecap.so.$(VERSIO
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross test test-rust prepare-test-python test-python test-long lint format build library install uninstall doc \
-    package msrv header accuracy bench instructions report fits picture clean FORCE
+.PHONY: help demo cross test test-rust prepare-test-python test-python test-mitsubas test-long lint format build library install \
+    uninstall doc package msrv header accuracy bench instructions report fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -155,6 +158,23 @@ report: build out/bench.json out/instructions.json out/maps.json ## Speed agains
 out/bench.json out/instructions.json out/maps.json: out/%.json: Cargo.toml Cargo.lock $(shell find src benches -name '*.rs')
 	cargo bench --locked --bench $(if $(filter bench,$*),cost,$*)
 
+test-mitsubas: build $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) $(REFUSED_MITSUBA)) ## The plugin with other releases of Mitsuba: large downloads.
+	for mitsuba in $(OLDER_MITSUBAS); do \
+	    MAKEFLAGS= .venv-mitsuba-$$mitsuba/bin/python -m pip install --quiet --disable-pip-version-check \
+	        --no-build-isolation . || exit 1; \
+	done
+	$(BIN)/python -m pytest tests/mitsubas/smoke.py
+
+.venv-mitsuba-%/installed: requirements.txt mitsuba_plugin/cmake/FindMitsubaWheel.cmake
+	$(PYTHON) -m venv .venv-mitsuba-$*
+	@echo "Installing Mitsuba $* into .venv-mitsuba-$*: a large download."
+	@.venv-mitsuba-$*/bin/python -m pip install --quiet --disable-pip-version-check mitsuba==$* \
+	    $$(sed -n 's/.*"$*=\([0-9.]*\)".*/nanobind==\1/p' mitsuba_plugin/cmake/FindMitsubaWheel.cmake) \
+	    $$(grep -E '^(scikit-build-core|karellen-llvm-core|cmake|ninja|numpy|tqdm)==' requirements.txt) || { \
+	    echo "Mitsuba $* cannot be installed for $$($(PYTHON) --version): all releases have packages for CPython 3.11; try" \
+	    "again with \`make PYTHON=python3.11 test-mitsubas\`" >&2; exit 1; }
+	touch $@
+
 test-long: ## The random tests, with many more inputs than in `make test`: about ten minutes.
 	PROPTEST_CASES=20000000 cargo test --release --locked --test strata
 	SPHERECAP_FUZZ_TRIALS=100000000 cargo test --release --locked --test c_abi numbers_of_every_kind
@@ -166,6 +186,6 @@ picture: build ## Remake the picture of the README.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene cut_light --spp 4 --width 160 --picture docs/cut_light.png
 
 clean: ## Remove all that was built, rendered and installed here.
-	rm -rf target build out report $(VENV) .venv-luxcore .venv-cycles mitsuba_plugin/spherecap/plugins
+	rm -rf target build out report $(VENV) .venv-luxcore .venv-cycles .venv-mitsuba-* mitsuba_plugin/spherecap/plugins
 
 FORCE:

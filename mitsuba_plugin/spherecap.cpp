@@ -3,7 +3,6 @@
 #include <mitsuba/core/properties.h>
 #include <mitsuba/core/spectrum.h>
 #include <mitsuba/core/string.h>
-#include <mitsuba/core/util.h>
 #include <mitsuba/core/warp.h>
 #include <mitsuba/render/emitter.h>
 #include <mitsuba/render/medium.h>
@@ -112,17 +111,8 @@ outwards only.
  */
 // clang-format on
 
-/// What this file was compiled for; the Python package reads it from the finished plugin.
-static constexpr char BuiltFor[] = "spherecap plugin for Mitsuba " MITSUBA_WHEEL_VERSION;
-
-/// Throws unless the running Mitsuba, and the linked library, are the ones that this file was compiled for.
-/// Called before the base class is constructed: another Mitsuba has another layout of it.
+/// Throws unless the linked library is the one that this file was compiled for. (guard.cpp looks at Mitsuba.)
 static const Properties &supported(const Properties &props) {
-    const std::string running = util::info_build(1); // "Mitsuba version 3.9.1 (master[..."
-    if (running.find(" " MITSUBA_WHEEL_VERSION " ") == std::string::npos)
-        throw std::runtime_error(
-            "This is a " + std::string(BuiltFor) + ", but the running one is \"" + running +
-            "\": install mitsuba==" MITSUBA_WHEEL_VERSION ", or build the plugin again.");
     if (spherecap_abi_version() != SPHERECAP_ABI)
         throw std::runtime_error("The spherecap plugin was compiled with a header of ABI " +
                                  std::to_string(SPHERECAP_ABI) + " and linked with a library of ABI " +

@@ -11,7 +11,8 @@
 #include <mitsuba/render/bsdf.h>
 #include <mitsuba/render/scene.h>
 #include <mitsuba/render/shape.h>
-#include <mitsuba/render/shapegroup.h>
+
+#include "compat.h"
 
 NAMESPACE_BEGIN(mitsuba)
 
@@ -36,9 +37,8 @@ public:
         for (ref<Shape> shape : scene->shapes())
             look_at(shape.get());
         // An instance has a BSDF that is never used; the shapes that it repeats are in the groups.
-        for (const auto &group : scene->shapegroups())
-            for (ref<Shape> shape : group->shapes())
-                look_at(shape.get());
+        for (Object *shape : GroupedShapes::in(const_cast<Scene *>(scene)))
+            look_at(static_cast<Shape *>(shape));
     }
 
 private:
@@ -117,9 +117,9 @@ private:
         constexpr float SameNormal = 1.f - 0.5f * 0.01f * 0.01f;
 
         // Where the variant compiles kernels, the buffers may be on a device.
-        auto &&faces = dr::migrate(*m_faces, JitBackend::None);
-        auto &&positions = dr::migrate(*m_positions, JitBackend::None);
-        auto &&normals = dr::migrate(*m_normals, JitBackend::None);
+        auto &&faces = dr::migrate(*m_faces, HostMemory);
+        auto &&positions = dr::migrate(*m_positions, HostMemory);
+        auto &&normals = dr::migrate(*m_normals, HostMemory);
         if constexpr (dr::is_jit_v<Float>)
             dr::sync_thread();
         if (dr::width(normals) != dr::width(positions))

@@ -5,8 +5,9 @@ FindMitsubaWheel
 Build Mitsuba 3 plugins against the ``mitsuba`` wheel from PyPI, without a Mitsuba source tree.
 
 The wheel ships its headers and libraries, but no CMake target for ``libmitsuba``; its headers include two
-others that only the ``nanobind`` package has; and the compiler flags decide the layout of Dr.Jit's arrays, so
-wrong ones give a plugin that loads and renders garbage. This module knows all three.
+others that only the ``nanobind`` package has; the compiler flags decide the layout of Dr.Jit's arrays, so
+wrong ones give a plugin that loads and renders garbage; and older wheels have another ``std::string``. This module
+knows all four.
 
 .. code-block:: cmake
 
@@ -28,8 +29,8 @@ Result
 
 Target ``MitsubaWheel::mitsuba``
   Headers, libraries, language standard, flags and definitions. It also defines
-  ``MITSUBA_WHEEL_VERSION`` as a string: Mitsuba itself never compares versions, so a plugin should
-  compare this one with ``mitsuba::util::info_build()`` before it touches anything else.
+  ``MITSUBA_WHEEL_VERSION`` as a string: Mitsuba itself never compares versions, and in another one a plugin may
+  lack symbols, which ends the process, so something without any should compare first (``guard.cpp`` of spherecap does).
 
 Function ``mitsuba_add_plugin(<name> <source>... [OUTPUT_DIRECTORY <dir>])``
   Builds ``<name>.so`` that exports nothing but ``init_plugin``, drops what it does not use, and contains no
@@ -46,7 +47,7 @@ Supported: Linux on x86-64, GCC or Clang. On anything else the module fails and 
 include(FindPackageHandleStandardArgs)
 
 # Mitsuba release -> nanobind release, from Mitsuba's pyproject.toml. One row per release that was tried.
-set(_MitsubaWheel_KNOWN_NANOBIND "3.9.1=2.14.0")
+set(_MitsubaWheel_KNOWN_NANOBIND "3.9.1=2.14.0" "3.8.0=2.11.0" "3.7.1=2.9.2")
 
 # The reason for a failure, in words that say what to do; find_package prints it (if REQUIRED). No semicolon may be
 # in it: it is passed on as an argument.
@@ -166,6 +167,8 @@ find_package_handle_standard_args(MitsubaWheel
     REASON_FAILURE_MESSAGE "${_MitsubaWheel_reason}")
 
 if(MitsubaWheel_FOUND AND NOT TARGET MitsubaWheel::mitsuba)
+    # Wheels up to 3.7 have the std::string of GCC before 5; else "cxx11" is in the name of a function that returns one.
+    file(STRINGS "${MitsubaWheel_DIR}/libmitsuba.so" _MitsubaWheel_cxx11 REGEX "info_buildB5cxx11" LIMIT_COUNT 1)
     add_library(MitsubaWheel::mitsuba INTERFACE IMPORTED)
     set_target_properties(MitsubaWheel::mitsuba PROPERTIES
         INTERFACE_INCLUDE_DIRECTORIES "${MitsubaWheel_INCLUDE_DIRS}"
@@ -176,7 +179,7 @@ if(MitsubaWheel_FOUND AND NOT TARGET MitsubaWheel::mitsuba)
         INTERFACE_COMPILE_OPTIONS "-march=haswell;-fno-strict-aliasing"
         # The backends of the wheel's variants: they select members of classes that the plugin derives from.
         INTERFACE_COMPILE_DEFINITIONS
-            "MI_ENABLE_LLVM=1;MI_ENABLE_CUDA=1;MI_ENABLE_AUTODIFF=1;MI_ENABLE_EMBREE=1;MITSUBA_WHEEL_VERSION=\"${MitsubaWheel_VERSION}\""
+            "MI_ENABLE_LLVM=1;MI_ENABLE_CUDA=1;MI_ENABLE_AUTODIFF=1;MI_ENABLE_EMBREE=1;MITSUBA_WHEEL_VERSION=\"${MitsubaWheel_VERSION}\";_GLIBCXX_USE_CXX11_ABI=$<BOOL:${_MitsubaWheel_cxx11}>"
         # The wheel's libraries need each other, and find each other in these folders.
         INTERFACE_LINK_OPTIONS
             "LINKER:-rpath-link,${MitsubaWheel_DIR};LINKER:-rpath-link,${_MitsubaWheel_dr_dir}")

@@ -45,19 +45,23 @@ _FOLDER = Path(__file__).resolve().parent
 PLUGIN = _FOLDER / "plugins" / "spherecap.so"
 
 
-def _built_for(plugin: Path) -> str:
-    """Which Mitsuba a plugin was compiled for. The plugin itself carries it, so the two cannot disagree."""
+def _about(plugin: Path) -> tuple[str, str]:
+    """Which Mitsuba a plugin was compiled for, and what to do elsewhere.
+
+    The plugin itself carries both, so that it cannot disagree.
+    """
     if not plugin.is_file():
         raise ImportError(f"The spherecap plugin is not built, {plugin} is missing: run 'make build'.")
     mark = b"spherecap plugin for Mitsuba "
     _, found, rest = plugin.read_bytes().partition(mark)
     if not found:
         raise ImportError(f"{plugin} is not the spherecap plugin: build it again ('make build').")
-    return rest.partition(b"\0")[0].decode()
+    version, remedy = rest.split(b"\0", 2)[:2]
+    return version.decode(), remedy.decode()
 
 
 #: The version of Mitsuba that the plugin was compiled for.
-BUILT_FOR = _built_for(PLUGIN)
+BUILT_FOR, _REMEDY = _about(PLUGIN)
 
 
 def register() -> None:
@@ -69,7 +73,7 @@ def register() -> None:
     if mitsuba.__version__ != BUILT_FOR:
         raise ImportError(
             f"The spherecap plugin was built for Mitsuba {BUILT_FOR}, but this is Mitsuba "
-            f"{mitsuba.__version__}: install mitsuba=={BUILT_FOR}, or build the plugin again ('make build')."
+            f"{mitsuba.__version__}: {_REMEDY}"
         )
     resolver = mitsuba.file_resolver()
     if str(_FOLDER) not in map(str, resolver):

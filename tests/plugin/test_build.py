@@ -61,6 +61,22 @@ def test_unsuitable(tmp_path, variables, message):
     assert re.search(message, text), text
 
 
+def test_another_mitsuba(tmp_path):
+    """A Mitsuba that nobody has tried: which ones there are, and how to get one."""
+    library = tmp_path / "libspherecap.a"
+    library.touch()
+    other = tmp_path / "python"
+    other.write_text('#!/bin/sh\nprintf "3.6.4;/nowhere"\n')
+    other.chmod(0o755)
+    code, text = configure(tmp_path, SPHERECAP_LIBRARY=library, MitsubaWheel_PYTHON=other)
+    assert code != 0
+    assert re.search(
+        rf"can be built for one of Mitsuba {mi.__version__}, [\d., ]+, not for 3\.6\.4: "
+        rf"run .*/python -m pip install mitsuba=={mi.__version__}'",
+        text,
+    ), text
+
+
 def test_no_mitsuba(tmp_path):
     """An interpreter whose environment lacks the wheel."""
     library = tmp_path / "libspherecap.a"

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import sysconfig
 import zipfile
+from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -46,14 +47,26 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_the_wheel_holds_the_packages_and_nothing_else(wheel: Path) -> None:
-    """Python, one plugin, one CMake module; for any Python, on Linux; of the library's version."""
+    """Python, the plugin, one CMake module; for any Python, on Linux; of the library's version."""
     names = zipfile.ZipFile(wheel).namelist()
     ours = {name for name in names if ".dist-info/" not in name}
     package = REPOSITORY / "mitsuba_plugin"
     python = {path.relative_to(package).as_posix() for path in package.glob("spherecap*/*.py")}
-    assert ours == python | {"spherecap/plugins/spherecap.so", "spherecap/cmake/FindMitsubaWheel.cmake"}
+    assert ours == python | {
+        "spherecap/plugins/spherecap.so",
+        "spherecap/plugins/spherecap_emitter.so",
+        "spherecap/cmake/FindMitsubaWheel.cmake",
+    }
     version = tomllib.loads((REPOSITORY / "Cargo.toml").read_text())["package"]["version"]
     assert wheel.name == f"spherecap-{version}-py3-none-linux_x86_64.whl"
+
+
+def test_the_wheel_depends_on_the_mitsuba_that_it_was_built_for(wheel: Path) -> None:
+    """Which is the one that is installed."""
+    with zipfile.ZipFile(wheel) as archive:
+        (file,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
+        lines = archive.read(file).decode().splitlines()
+    assert f"Requires-Dist: mitsuba=={metadata.version('mitsuba')}" in lines
 
 
 def test_installed_used_and_uninstalled(wheel: Path, environment: Path, tmp_path: Path) -> None:
