@@ -9,7 +9,7 @@ LIBRARY := target/release/libspherecap.a
 SHARED := target/release/libspherecap.so
 # The releases of Mitsuba that the plugin can be built for beside the pinned one, and one that it must refuse.
 OLDER_MITSUBAS := $(shell sed -n 's/^set(mitsubas [^ ]* \(.*\))/\1/p' mitsuba_plugin/CMakeLists.txt)
-REFUSED_MITSUBA := 3.6.4
+MITSUBAS := $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) 3.6.4)
 C_RENDERER := build/renderer
 IRRADIANCE := build/irradiance
 CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h examples/*.c)
@@ -158,7 +158,7 @@ report: build out/bench.json out/instructions.json out/maps.json ## Speed agains
 out/bench.json out/instructions.json out/maps.json: out/%.json: Cargo.toml Cargo.lock $(shell find src benches -name '*.rs')
 	cargo bench --locked --bench $(if $(filter bench,$*),cost,$*)
 
-test-mitsubas: build $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) $(REFUSED_MITSUBA)) ## The plugin with other releases of Mitsuba: large downloads.
+test-mitsubas: build $(MITSUBAS) ## The plugin with other releases of Mitsuba: large downloads.
 	for mitsuba in $(OLDER_MITSUBAS); do \
 	    MAKEFLAGS= .venv-mitsuba-$$mitsuba/bin/python -m pip install --quiet --disable-pip-version-check \
 	        --no-build-isolation . || exit 1; \

@@ -3,8 +3,8 @@
 from importlib import metadata
 
 
-def dynamic_metadata(field: str, settings: dict) -> list[str]:
-    """Return the value of `project.dependencies`."""
+def dynamic_metadata(settings: dict, project: dict) -> dict[str, list[str]]:
+    """Return `project.dependencies`; scikit-build-core calls it."""
     try:
         mitsuba = metadata.version("mitsuba")
     except metadata.PackageNotFoundError:
@@ -12,4 +12,4 @@ def dynamic_metadata(field: str, settings: dict) -> list[str]:
             "There is no Mitsuba here to build spherecap for: install one (docs/mitsuba.md says how), "
             "or leave out --no-build-isolation."
         ) from None
-    return [f"mitsuba=={mitsuba}", "numpy", "tqdm"]
+    return {"dependencies": [f"mitsuba=={mitsuba}", "numpy", "tqdm"]}

@@ -169,6 +169,8 @@ find_package_handle_standard_args(MitsubaWheel
 if(MitsubaWheel_FOUND AND NOT TARGET MitsubaWheel::mitsuba)
     # Wheels up to 3.7 have the std::string of GCC before 5; else "cxx11" is in the name of a function that returns one.
     file(STRINGS "${MitsubaWheel_DIR}/libmitsuba.so" _MitsubaWheel_cxx11 REGEX "info_buildB5cxx11" LIMIT_COUNT 1)
+    set(_MitsubaWheel_definitions
+        MITSUBA_WHEEL_VERSION="${MitsubaWheel_VERSION}" _GLIBCXX_USE_CXX11_ABI=$<BOOL:${_MitsubaWheel_cxx11}>)
     add_library(MitsubaWheel::mitsuba INTERFACE IMPORTED)
     set_target_properties(MitsubaWheel::mitsuba PROPERTIES
         INTERFACE_INCLUDE_DIRECTORIES "${MitsubaWheel_INCLUDE_DIRS}"
@@ -179,7 +181,7 @@ if(MitsubaWheel_FOUND AND NOT TARGET MitsubaWheel::mitsuba)
         INTERFACE_COMPILE_OPTIONS "-march=haswell;-fno-strict-aliasing"
         # The backends of the wheel's variants: they select members of classes that the plugin derives from.
         INTERFACE_COMPILE_DEFINITIONS
-            "MI_ENABLE_LLVM=1;MI_ENABLE_CUDA=1;MI_ENABLE_AUTODIFF=1;MI_ENABLE_EMBREE=1;MITSUBA_WHEEL_VERSION=\"${MitsubaWheel_VERSION}\";_GLIBCXX_USE_CXX11_ABI=$<BOOL:${_MitsubaWheel_cxx11}>"
+            "MI_ENABLE_LLVM=1;MI_ENABLE_CUDA=1;MI_ENABLE_AUTODIFF=1;MI_ENABLE_EMBREE=1;${_MitsubaWheel_definitions}"
         # The wheel's libraries need each other, and find each other in these folders.
         INTERFACE_LINK_OPTIONS
             "LINKER:-rpath-link,${MitsubaWheel_DIR};LINKER:-rpath-link,${_MitsubaWheel_dr_dir}")

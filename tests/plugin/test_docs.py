@@ -124,8 +124,8 @@ def test_versions_are_those_of_the_manifests() -> None:
         text = page.read_text(encoding="utf-8")
         for pattern, version in (
             (r"Rust (?:\()?(\d+\.\d+)", package["rust-version"]),
-            (r"Mitsuba (\d+\.\d+\.\d+)", mitsuba),
-            (r"mitsuba==([\d.]+)", mitsuba),
+            (r"(?:; |for )Mitsuba (\d+\.\d+\.\d+)", mitsuba),
+            (r"mitsuba==([\d.]+) nanobind==[\d.]+$", mitsuba),
             (r"find_package\(MitsubaWheel ([\d.]+)", mitsuba),
             (r"find_package\(spherecap ([\d.]+)", package["version"].rpartition(".")[0]),
             (r"^## Unreleased \(([\d.]+)\)", package["version"]),
@@ -134,6 +134,28 @@ def test_versions_are_those_of_the_manifests() -> None:
                 assert named == version, f"{page.name} says {named}, not {version}"
                 found.add(pattern)
     assert len(found) == 6, found
+
+
+def test_releases_of_mitsuba_are_those_of_the_build() -> None:
+    """Each row of the guide's table prepares the build for a release; the other pages list the same."""
+    releases = re.search(
+        r"^set\(mitsubas (.*)\)$", (REPOSITORY / "mitsuba_plugin/CMakeLists.txt").read_text(), re.MULTILINE
+    )[1].split()
+    module = (REPOSITORY / "mitsuba_plugin/cmake/FindMitsubaWheel.cmake").read_text()
+    (row,) = re.findall(r"^set\(_MitsubaWheel_KNOWN_NANOBIND (.*)\)$", module, re.MULTILINE)
+    nanobinds = dict(pair.split("=") for pair in re.findall(r'"(.*?)"', row))
+    backend = re.search(
+        r"^scikit-build-core==.+$", (REPOSITORY / "requirements.txt").read_text(), re.MULTILINE
+    )[0]
+    assert re.findall(
+        r"^\| (.*) \| `(pip install .*)` \|$", GUIDE.read_text(encoding="utf-8"), re.MULTILINE
+    ) == [
+        (release, f"pip install mitsuba=={release} nanobind=={nanobinds[release]} {backend} cmake ninja")
+        for release in releases
+    ]
+    listed = f"{', '.join(releases[:-1])} or {releases[-1]}"
+    for page in (README, REPOSITORY / "CHANGELOG.md"):
+        assert listed in page.read_text(encoding="utf-8")
 
 
 def test_links_lead_somewhere() -> None:
