@@ -24,13 +24,13 @@ PREFIX ?= /usr/local
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
 MSRV := $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 ABI := $(shell sed -n 's/^#define SPHERECAP_ABI //p' include/spherecap.h)
-INSTALLED := include/spherecap.h lib/libspherecap.a lib/libspherecap.so.$(VERSION) lib/libspherecap.so.$(ABI) \
+INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a lib/libspherecap.so.$(VERSION) lib/libspherecap.so.$(ABI) \
     lib/libspherecap.so lib/pkgconfig/spherecap.pc lib/cmake/spherecap/spherecapConfig.cmake \
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
 .PHONY: help demo cross test test-rust prepare-test-python test-python test-mitsubas test-long lint format build library install \
-    uninstall doc package msrv header accuracy bench instructions report fits picture clean FORCE
+    uninstall doc package msrv valgrind header accuracy bench instructions report fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -76,7 +76,7 @@ $(LIBRARY): FORCE
 
 # Ninja and rustc would look for the jobserver of a make that runs several jobs, which is for sub-makes alone: MAKEFLAGS is not
 # for them.
-$(PLUGIN): $(LIBRARY) $(VENV)/installed include/spherecap.h $(wildcard mitsuba_plugin/*.* mitsuba_plugin/cmake/*)
+$(PLUGIN): $(LIBRARY) $(VENV)/installed $(wildcard include/*.h) $(wildcard mitsuba_plugin/*.* mitsuba_plugin/cmake/*)
 	$(BIN)/cmake -S mitsuba_plugin -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
 	    -DCMAKE_MAKE_PROGRAM="$(CURDIR)/$(BIN)/ninja" -DMitsubaWheel_PYTHON="$(CURDIR)/$(BIN)/python" \
 	    -DSPHERECAP_LIBRARY="$(CURDIR)/$(LIBRARY)"
@@ -115,7 +115,7 @@ $(SHARED): FORCE
 
 install: library ## Install the C library below PREFIX (/usr/local), with pkg-config file and CMake package.
 	install -d $(foreach file,$(INSTALLED),"$(DESTDIR)$(PREFIX)/$(dir $(file))")
-	install -m 644 include/spherecap.h "$(DESTDIR)$(PREFIX)/include"
+	install -m 644 include/spherecap.h include/spherecap_record.h "$(DESTDIR)$(PREFIX)/include"
 	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib"
 	install -m 755 $(SHARED) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so.$(VERSION)"
 	ln -sf libspherecap.so.$(VERSION) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so.$(ABI)"
@@ -139,7 +139,10 @@ msrv: ## Compile the library with the oldest Rust that Cargo.toml promises; need
 	rustup toolchain install $(MSRV) --profile minimal
 	cargo +$(MSRV) check --locked --lib --target-dir target/msrv
 
-header: ## Remake include/spherecap.h from src/ffi*.rs.
+valgrind: $(LIBRARY) ## Run the C programs of tests and examples under valgrind, which has to be installed.
+	tests/c/valgrind.sh
+
+header: ## Remake the headers in include from src/ffi.
 	SPHERECAP_WRITE_HEADER=1 cargo test --release --locked --test header
 
 accuracy: ## Remake docs/accuracy.md from what the kernels give.

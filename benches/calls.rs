@@ -6,7 +6,9 @@
 use crate::published::Published;
 use crate::scenes::Scene;
 use spherecap::batch::{Batch, Instructions, Samples};
-use spherecap::{Cap, Density, Hemispheres, Lane, Offset, Sampler, Scalar, Strategy, Technique, Vec3};
+use spherecap::{
+    Cap, Density, Hemispheres, Lane, Offset, Receiver, Sampler, Scalar, Strategy, Technique, Vec3,
+};
 use std::hint::black_box;
 
 /// Samples of a cap where there are many.
@@ -75,7 +77,7 @@ calls! {
 #[inline(always)]
 fn cap<F: Scalar>(scene: &[F; 7]) -> Cap<F> {
     let [nx, ny, nz, cx, cy, cz, radius] = *scene;
-    Cap::new(Vec3::new(nx, ny, nz), Vec3::new(cx, cy, cz), radius)
+    Cap::new([nx, ny, nz], [cx, cy, cz], radius)
 }
 
 /// As [`calls!`], but the library chooses the instructions.
@@ -104,8 +106,8 @@ impl<F: Scalar> Inputs<F> {
         let samplers: Vec<_> = scenes
             .iter()
             .map(|&[nx, ny, nz, cx, cy, cz, radius]| {
-                let (normal, centre) = (Vec3::new(nx, ny, nz), Vec3::new(cx, cy, cz));
-                Sampler::prepare(strategy, normal, centre, radius).expect("the scenes are above the horizon")
+                let receiver = Receiver { normal: Vec3::new(nx, ny, nz), strategy };
+                Sampler::prepare(receiver, [cx, cy, cz], radius).expect("the scenes are above the horizon")
             })
             .collect();
         let offsets = samplers.iter().zip(numbers.chunks_exact(2)).map(|(s, u)| s.sample(u[0], u[1]).offset);

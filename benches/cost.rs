@@ -25,7 +25,7 @@ fn check_published(scenes: &[Scene], numbers: &[f32]) {
     let mut error = 0.0_f64;
     for scene in &scenes[..64] {
         let cap = Published::new(scene.normal.into(), scene.centre.into(), scene.radius);
-        let exact = Cap::<f32>::new(scene.normal.into(), scene.centre.into(), scene.radius);
+        let exact = Cap::<f32>::new(scene.normal, scene.centre, scene.radius);
         let normal = glam::Vec3::from(scene.normal);
         let mut sum = 0.0;
         let pairs = numbers.chunks_exact(2);

@@ -4,12 +4,12 @@
 //! point, z up; its radius), and writes an `f64` for each: the projected solid angle of what is above the plane, 0 for
 //! a point inside the light.
 
-use spherecap::{Refusal, Sampler, Strategy};
+use spherecap::{Receiver, Refusal, Sampler};
 use std::error::Error;
 use std::io::{self, Read, Write};
 
 fn irradiance([x, y, z, radius]: [f64; 4]) -> Result<f64, Refusal> {
-    match Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [x, y, z], radius) {
+    match Sampler::prepare(Receiver::new([0.0, 0.0, 1.0]), [x, y, z], radius) {
         Ok(sampler) => Ok(sampler.cap().projected_solid_angle()),
         Err(Refusal::Invisible | Refusal::Inside) => Ok(0.0),
         Err(refusal) => Err(refusal),

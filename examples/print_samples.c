@@ -24,11 +24,13 @@ int main(void) {
         return 1;
     }
 
-    const float normal[3] = {0.0f, 0.0f, 1.0f}; // of the surface
+    const spherecap_receiver_t floor = {{0.0f, 0.0f, 1.0f}, // its normal
+                                        SPHERECAP_TECHNIQUE_PROJECTED,
+                                        SPHERECAP_HEMISPHERES_FRONT,
+                                        0.0f};
     const float centre[3] = {3.0f, 0.0f, 0.5f}; // of the light, minus the shading point; the horizon cuts it
-    spherecap_cap_t cap;
-    uint32_t status = spherecap_prepare(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f,
-                                        normal, centre, 1.0f, &cap);
+    spherecap_sampler_t sampler;
+    uint32_t status = spherecap_prepare(&floor, centre, 1.0f, &sampler);
     if (failed("prepare", status)) {
         return 1;
     }
@@ -36,7 +38,7 @@ int main(void) {
     for (int i = 0; i < 8; ++i) {
         const float u0 = ((float)i + 0.5f) / 8.0f, u1 = ((float)(3 * i % 8) + 0.5f) / 8.0f;
         spherecap_sample_t sample;
-        if (failed("sample", spherecap_sample(&cap, u0, u1, &sample))) {
+        if (failed("sample", spherecap_sample(&sampler, u0, u1, &sample))) {
             return 1;
         }
         // What a renderer sums up, for a light of radiance 1. Here all samples agree: there is no noise.
@@ -47,12 +49,10 @@ int main(void) {
     }
 
     // Bad input gives a status and samples nothing. So does a light that lights nothing.
-    status = spherecap_prepare(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f, normal,
-                               centre, -1.0f, &cap);
+    status = spherecap_prepare(&floor, centre, -1.0f, &sampler);
     failed("a radius of -1", status);
     const float below[3] = {3.0f, 0.0f, -2.0f};
-    status = spherecap_prepare(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f, normal,
-                               below, 1.0f, &cap);
+    status = spherecap_prepare(&floor, below, 1.0f, &sampler);
     failed("a light below the horizon", status);
     return 0;
 }

@@ -16,7 +16,7 @@
 #include <mitsuba/core/logger.h>
 #include <mitsuba/core/vector.h>
 
-#include <spherecap.h>
+#include <spherecap_record.h>
 
 NAMESPACE_BEGIN(mitsuba)
 
@@ -27,14 +27,14 @@ protected:
 
     /// Calls a `spherecap_record_...` function.
     template <typename Result>
-    Result record(uint32_t (*function)(const spherecap_recorder_t *, const spherecap_recorded_cap_t *,
+    Result record(uint32_t (*function)(const spherecap_recorder_t *, const spherecap_recorded_input_t *,
                                        const spherecap_term_t *, Result *),
-                  const spherecap_recorded_cap_t &cap, const spherecap_term_t *input) {
+                  const spherecap_recorded_input_t &input, const spherecap_term_t *numbers) {
         const bool conditionals = jit_flag(JitFlag::SymbolicConditionals);
         const spherecap_recorder_t recorder{
             this, literal, op, release, conditionals ? begin_if : nullptr, conditionals ? end_if : nullptr};
         Result result;
-        const uint32_t status = function(&recorder, &cap, input, &result);
+        const uint32_t status = function(&recorder, &input, numbers, &result);
         while (!m_open.empty()) // after an error
             leave();
         if (m_error)

@@ -375,12 +375,10 @@ private:
             ds.dist = dr::get<2>(drawn);
             ds.pdf = dr::get<3>(drawn);
         } else {
-            // Mitsuba reuses random numbers, after which rounding may leave them slightly outside of [0, 1].
-            const Point2f u = dr::clip(sample, 0.f, 1.f);
-            spherecap_cap_t cap;
+            spherecap_sampler_t sampler;
             spherecap_sample_t drawn;
-            if (!active || !prepare(it, cap) ||
-                spherecap_sample(&cap, u.x(), u.y(), &drawn) != SPHERECAP_STATUS_OK)
+            if (!active || !prepare(it, sampler) ||
+                spherecap_sample(&sampler, sample.x(), sample.y(), &drawn) != SPHERECAP_STATUS_OK)
                 return ds;
             ds.n = Normal3f(drawn.normal[0], drawn.normal[1], drawn.normal[2]);
             ds.d = Vector3f(drawn.direction[0], drawn.direction[1], drawn.direction[2]);
@@ -410,35 +408,36 @@ private:
                 [](const Normal3f &, const Vector3f &, const Vector3f &) { return Float(0.f); },
                 "spherecap pdf");
         } else {
-            spherecap_cap_t cap;
+            spherecap_sampler_t sampler;
             spherecap_density_t density;
             const float d[3] = {direction.x(), direction.y(), direction.z()};
-            if (!active || !prepare(it, cap) ||
-                spherecap_pdf_on_sphere(&cap, d, &density) != SPHERECAP_STATUS_OK)
+            if (!active || !prepare(it, sampler) ||
+                spherecap_pdf_on_sphere(&sampler, d, &density) != SPHERECAP_STATUS_OK)
                 return 0.f;
             return density.solid_angle;
         }
     }
 
     /// The part of the light that a point sees; false if that is none.
-    bool prepare(const Interaction3f &it, spherecap_cap_t &cap) const {
+    bool prepare(const Interaction3f &it, spherecap_sampler_t &sampler) const {
         const Vector3f c = m_sphere.center - it.p;
-        const float normal[3] = {it.n.x(), it.n.y(), it.n.z()}, center[3] = {c.x(), c.y(), c.z()};
-        return spherecap_prepare(m_technique.value, hemispheres(), defensive(), normal, center,
-                                 m_sphere.radius, &cap) == SPHERECAP_STATUS_OK;
+        const spherecap_receiver_t receiver{
+            {it.n.x(), it.n.y(), it.n.z()}, m_technique.value, hemispheres(), defensive()};
+        const float center[3] = {c.x(), c.y(), c.z()};
+        return spherecap_prepare(&receiver, center, m_sphere.radius, &sampler) == SPHERECAP_STATUS_OK;
     }
 
     /// The same for the recorded kernel. The centre is the light's, seen from the point.
-    spherecap_recorded_cap_t recorded(const Normal3f &normal, const Vector3f &centre) const {
+    spherecap_recorded_input_t recorded(const Normal3f &normal, const Vector3f &centre) const {
         using Recorder = mitsuba::Recorder<Float>;
-        spherecap_recorded_cap_t cap;
-        cap.technique = m_technique.value;
-        cap.hemispheres = hemispheres();
-        cap.defensive = Recorder::term(defensive());
-        Recorder::terms(normal, cap.normal);
-        Recorder::terms(centre, cap.centre);
-        cap.radius = Recorder::term(m_sphere.radius);
-        return cap;
+        spherecap_recorded_input_t input;
+        input.technique = m_technique.value;
+        input.hemispheres = hemispheres();
+        input.defensive = Recorder::term(defensive());
+        Recorder::terms(normal, input.normal);
+        Recorder::terms(centre, input.centre);
+        input.radius = Recorder::term(m_sphere.radius);
+        return input;
     }
 
     ref<Texture> m_radiance;

@@ -13,15 +13,17 @@
 //! let direction = Vec3::new(Some(&mut x[..]), Some(&mut y[..]), Some(&mut z[..]));
 //! let density = Densities { solid_angle: Some(&mut pdf), ..Densities::default() };
 //! // What is not asked for is not stored.
-//! batch.sample([&[0.1, 0.2, 0.3], &[0.6, 0.5, 0.4]], Samples { direction, density, ..Samples::default() });
-//! assert!(pdf.iter().all(|&pdf| pdf > 0.0) && x[2] < 0.0);
+//! let u: [&[f32]; 2] = [&[0.1, 0.2, 0.3], &[0.6, 0.5, 0.4]];
+//! let refused = batch.sample(u, Samples { direction, density, ..Samples::default() });
+//! assert!(refused == 0 && pdf.iter().all(|&pdf| pdf > 0.0) && x[2] < 0.0);
 //! ```
 //!
 //! Every array has one number for each point, and every number is the one, to the bit, that [`Sampler`] gives for the point
 //! alone: neither the CPU nor the length of the arrays nor the place in them matters. Where [`Sampler::prepare`] would refuse,
-//! or the other input is none (a random number outside \[0, 1\], a direction that is not of unit length), there are zeros; a
-//! density of zero in a sample says so, as a sample that exists has a positive one. Arrays may begin at any address. Nothing is
-//! allocated, and no thread is started: give each thread a part of the arrays.
+//! or the other input is none (a direction that is not of unit length, an offset with a component outside \[-1, 1\]), there are
+//! zeros; a density of zero in a sample says so, as a sample that exists has a positive one. Every function returns at how many
+//! points that was because of bad input: not where a light is merely invisible, or a point inside it. Arrays may begin at any
+//! address. Nothing is allocated, and no thread is started: give each thread a part of the arrays.
 //!
 //! The radius is an array, too, though often all points see one light: where each point chooses its own, it is needed, and where
 //! they do not, the array is filled once for all batches.
@@ -29,10 +31,10 @@
 pub use crate::lane::packet::arrays::Instructions;
 
 use crate::lane::packet::arrays::{run_slices, Kernel};
-use crate::lane::Lane;
+use crate::lane::{Lane, Mask};
 use crate::offset::Offset;
-use crate::prepare::{is_offset, is_unit};
-use crate::sampling::{Density, Sample, Sampler, Strategy};
+use crate::prepare::{is_bad, is_offset, is_unit};
+use crate::sampling::{Density, Receiver, Sample, Sampler, Strategy};
 use crate::vec3::Vec3;
 
 /// Spheres as seen from points, one for each element of the arrays: what [`Sampler::prepare`] is given.
@@ -40,7 +42,7 @@ use crate::vec3::Vec3;
 pub struct Batch<'a> {
     /// How directions are distributed, for all points.
     pub strategy: Strategy<f32>,
-    /// Unit normals of the surfaces, or zero.
+    /// Normals of the surfaces, of any length, or zero: see [`Receiver`].
     pub normal: Vec3<&'a [f32]>,
     /// The spheres' centres, each relative to its point.
     pub centre: Vec3<&'a [f32]>,
@@ -54,13 +56,22 @@ pub type Samples<'a> = Sample<Option<&'a mut [f32]>>;
 /// Arrays for the densities, each `None` if it is not wanted.
 pub type Densities<'a> = Density<Option<&'a mut [f32]>>;
 
+/// Arrays for what is measured of each sphere, each `None` if it is not wanted.
+#[derive(Debug, Default)]
+pub struct Measures<'a> {
+    /// [`Cap::solid_angle`](crate::Cap::solid_angle).
+    pub solid_angle: Option<&'a mut [f32]>,
+    /// [`Cap::projected_solid_angle`](crate::Cap::projected_solid_angle): the irradiance of an unoccluded sphere of radiance 1.
+    pub projected_solid_angle: Option<&'a mut [f32]>,
+}
+
 impl Batch<'_> {
     /// [`Sampler::sample`] for each point, with the two random numbers that `u` has for it.
     ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.
-    pub fn sample(&self, u: [&[f32]; 2], samples: Samples<'_>) {
-        self.sample_with(Instructions::widest(), u, samples);
+    pub fn sample(&self, u: [&[f32]; 2], samples: Samples<'_>) -> usize {
+        self.sample_with(Instructions::widest(), u, samples)
     }
 
     /// [`Sampler::pdf`] of an offset for each point.
@@ -83,8 +94,8 @@ impl Batch<'_> {
     ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.
-    pub fn pdf(&self, offset: Offset<&[f32]>, densities: Densities<'_>) {
-        self.pdf_with(Instructions::widest(), offset, densities);
+    pub fn pdf(&self, offset: Offset<&[f32]>, densities: Densities<'_>) -> usize {
+        self.pdf_with(Instructions::widest(), offset, densities)
     }
 
     /// [`Sampler::pdf`] of a unit direction for each point, to the precision of [`Sampler::offset`].
@@ -104,8 +115,8 @@ impl Batch<'_> {
     ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.
-    pub fn pdf_direction(&self, direction: Vec3<&[f32]>, densities: Densities<'_>) {
-        self.pdf_direction_with(Instructions::widest(), direction, densities);
+    pub fn pdf_direction(&self, direction: Vec3<&[f32]>, densities: Densities<'_>) -> usize {
+        self.pdf_direction_with(Instructions::widest(), direction, densities)
     }
 
     /// [`Sampler::pdf_on_sphere`] of a unit direction for each point: one that is known to point at the sphere.
@@ -125,8 +136,28 @@ impl Batch<'_> {
     ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.
-    pub fn pdf_on_sphere(&self, direction: Vec3<&[f32]>, densities: Densities<'_>) {
-        self.pdf_on_sphere_with(Instructions::widest(), direction, densities);
+    pub fn pdf_on_sphere(&self, direction: Vec3<&[f32]>, densities: Densities<'_>) -> usize {
+        self.pdf_on_sphere_with(Instructions::widest(), direction, densities)
+    }
+
+    /// What is measured of each sphere, where [`Sampler::prepare`] succeeds; zeros elsewhere.
+    ///
+    /// ```
+    /// # use spherecap::{batch::{Batch, Measures}, Strategy, Vec3};
+    /// # let (zeros, ones) = ([0.0; 2], [1.0; 2]);
+    /// # let normal = Vec3::new(&zeros[..], &zeros, &ones);
+    /// // One light at the zenith, one below the horizon.
+    /// let centre = Vec3::new(&zeros[..], &zeros, &[2.0, -2.0]);
+    /// let batch = Batch { strategy: Strategy::default(), normal, centre, radius: &ones };
+    /// let mut irradiance = [0.0; 2];
+    /// batch.measures(Measures { projected_solid_angle: Some(&mut irradiance), ..Measures::default() });
+    /// assert!((irradiance[0] - 0.25 * std::f32::consts::PI).abs() < 1e-6 && irradiance[1] == 0.0);
+    /// ```
+    ///
+    /// # Panics
+    /// If the arrays, the batch's own included, differ in length.
+    pub fn measures(&self, measures: Measures<'_>) -> usize {
+        self.measures_with(Instructions::widest(), measures)
     }
 }
 
@@ -137,14 +168,24 @@ impl Batch<'_> {
 #[doc(hidden)]
 #[allow(missing_docs)] // as above
 impl Batch<'_> {
-    pub fn sample_with(&self, instructions: Instructions, [u0, u1]: [&[f32]; 2], samples: Samples<'_>) {
+    pub fn sample_with(
+        &self,
+        instructions: Instructions,
+        [u0, u1]: [&[f32]; 2],
+        samples: Samples<'_>,
+    ) -> usize {
         let [nx, ny, nz, cx, cy, cz, radius] = self.points();
         let inputs = [nx, ny, nz, cx, cy, cz, radius, u0, u1];
-        run_slices::<SampleKernel, 9, 12>(instructions, self.strategy, inputs, sample_numbers(samples));
+        run_slices::<SampleKernel, 9, 12>(instructions, self.strategy, inputs, sample_numbers(samples))
     }
 
-    pub fn pdf_with(&self, instructions: Instructions, offset: Offset<&[f32]>, densities: Densities<'_>) {
-        self.densities::<PdfKernel>(instructions, [offset.zenith, offset.side, offset.cosine], densities);
+    pub fn pdf_with(
+        &self,
+        instructions: Instructions,
+        offset: Offset<&[f32]>,
+        densities: Densities<'_>,
+    ) -> usize {
+        self.densities::<PdfKernel>(instructions, [offset.zenith, offset.side, offset.cosine], densities)
     }
 
     pub fn pdf_direction_with(
@@ -152,8 +193,8 @@ impl Batch<'_> {
         instructions: Instructions,
         direction: Vec3<&[f32]>,
         densities: Densities<'_>,
-    ) {
-        self.densities::<PdfDirectionKernel>(instructions, direction.into(), densities);
+    ) -> usize {
+        self.densities::<PdfDirectionKernel>(instructions, direction.into(), densities)
     }
 
     pub fn pdf_on_sphere_with(
@@ -161,8 +202,8 @@ impl Batch<'_> {
         instructions: Instructions,
         direction: Vec3<&[f32]>,
         densities: Densities<'_>,
-    ) {
-        self.densities::<PdfOnSphereKernel>(instructions, direction.into(), densities);
+    ) -> usize {
+        self.densities::<PdfOnSphereKernel>(instructions, direction.into(), densities)
     }
 
     fn densities<K: Kernel<10, 2>>(
@@ -170,10 +211,16 @@ impl Batch<'_> {
         instructions: Instructions,
         [x, y, z]: [&[f32]; 3],
         densities: Densities<'_>,
-    ) {
+    ) -> usize {
         let [nx, ny, nz, cx, cy, cz, radius] = self.points();
         let inputs = [nx, ny, nz, cx, cy, cz, radius, x, y, z];
-        run_slices::<K, 10, 2>(instructions, self.strategy, inputs, density_numbers(densities));
+        run_slices::<K, 10, 2>(instructions, self.strategy, inputs, density_numbers(densities))
+    }
+
+    pub fn measures_with(&self, instructions: Instructions, measures: Measures<'_>) -> usize {
+        let Measures { solid_angle, projected_solid_angle } = measures;
+        let outputs = [solid_angle, projected_solid_angle];
+        run_slices::<MeasuresKernel, 7, 2>(instructions, self.strategy, self.points(), outputs)
     }
 
     fn points(&self) -> [&[f32]; 7] {
@@ -182,13 +229,47 @@ impl Batch<'_> {
     }
 }
 
-/// The sampler of a point, given by seven numbers, and where there is one.
-#[inline(always)]
-fn sampler<L: Lane>(
-    strategy: Strategy<L>,
-    [nx, ny, nz, cx, cy, cz, radius]: [L; 7],
-) -> (Sampler<L>, L::Mask) {
-    Sampler::prepare_where_possible(strategy, Vec3::new(nx, ny, nz), Vec3::new(cx, cy, cz), radius)
+/// A point and the sphere that it sees.
+struct Point<L> {
+    receiver: Receiver<L>,
+    centre: Vec3<L>,
+    radius: L,
+}
+
+impl<L: Lane> Point<L> {
+    #[inline(always)]
+    fn new(strategy: Strategy<L>, [nx, ny, nz, cx, cy, cz, radius]: [L; 7]) -> Self {
+        let receiver = Receiver { normal: Vec3::new(nx, ny, nz), strategy };
+        Self { receiver, centre: Vec3::new(cx, cy, cz), radius }
+    }
+
+    /// The sampler, and where there is one.
+    #[inline(always)]
+    fn sampler(&self) -> (Sampler<L>, L::Mask) {
+        Sampler::prepare_where_possible(self.receiver, self.centre, self.radius)
+    }
+
+    /// What a kernel gives: the numbers that another function made with the sampler, or zeros where there is none or the rest of
+    /// the input is bad; and where any input is.
+    #[inline(always)]
+    fn results<const N: usize>(
+        &self,
+        (sampler, is_sampled): (Sampler<L>, L::Mask),
+        is_rest_good: L::Mask,
+        mut numbers: [L; N],
+    ) -> ([L; N], L::Mask) {
+        let is_good = is_sampled & is_rest_good;
+        for number in &mut numbers {
+            *number = L::select(is_good, *number, L::lit(0.0));
+        }
+        // Where there is a sampler, its input is good.
+        let is_bad = if is_good.all() {
+            !is_good
+        } else {
+            !is_rest_good | is_bad(&self.receiver, self.centre, self.radius, sampler.cap())
+        };
+        (numbers, is_bad)
+    }
 }
 
 /// The numbers of a sample, in the order of its fields.
@@ -218,25 +299,19 @@ pub(crate) fn density_numbers<T>(density: Density<T>) -> [T; 2] {
     [density.solid_angle, density.projected_solid_angle]
 }
 
-/// Zeros where the mask is false.
-#[inline(always)]
-fn or_zeros<L: Lane, const N: usize>(mask: L::Mask, mut numbers: [L; N]) -> [L; N] {
-    for number in &mut numbers {
-        *number = L::select(mask, *number, L::lit(0.0));
-    }
-    numbers
-}
-
 /// [`Sampler::sample`]: a point and two random numbers give a sample.
 pub(crate) struct SampleKernel;
 
 impl Kernel<9, 12> for SampleKernel {
     #[inline(always)]
-    fn run<L: Lane>(strategy: Strategy<L>, [nx, ny, nz, cx, cy, cz, radius, u0, u1]: [L; 9]) -> [L; 12] {
-        let (sampler, is_sampled) = sampler(strategy, [nx, ny, nz, cx, cy, cz, radius]);
-        let (zero, one) = (L::lit(0.0), L::lit(1.0));
-        let are_numbers = zero.le(u0) & u0.le(one) & zero.le(u1) & u1.le(one);
-        or_zeros(is_sampled & are_numbers, sample_numbers(sampler.sample(u0, u1)))
+    fn run<L: Lane>(
+        strategy: Strategy<L>,
+        [nx, ny, nz, cx, cy, cz, radius, u0, u1]: [L; 9],
+    ) -> ([L; 12], L::Mask) {
+        let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let (sampler, is_sampled) = point.sampler();
+        let sample = sampler.sample(u0, u1);
+        point.results((sampler, is_sampled), always::<L>(), sample_numbers(sample))
     }
 }
 
@@ -245,23 +320,32 @@ pub(crate) struct PdfKernel;
 
 impl Kernel<10, 2> for PdfKernel {
     #[inline(always)]
-    fn run<L: Lane>(strategy: Strategy<L>, [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10]) -> [L; 2] {
-        let (sampler, is_sampled) = sampler(strategy, [nx, ny, nz, cx, cy, cz, radius]);
-        let offset = Offset { zenith: x, side: y, cosine: z };
-        or_zeros(is_sampled & is_offset(offset), density_numbers(sampler.pdf(offset)))
+    fn run<L: Lane>(
+        strategy: Strategy<L>,
+        [nx, ny, nz, cx, cy, cz, radius, zenith, side, cosine]: [L; 10],
+    ) -> ([L; 2], L::Mask) {
+        let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let (sampler, is_sampled) = point.sampler();
+        let offset = Offset { zenith, side, cosine };
+        let density = sampler.pdf(offset);
+        point.results((sampler, is_sampled), is_offset(offset), density_numbers(density))
     }
 }
 
-/// [`Sampler::pdf`] of [`Sampler::offset`]: a point and a direction give a density.
+/// [`Sampler::pdf_direction`]: a point and a direction give a density.
 pub(crate) struct PdfDirectionKernel;
 
 impl Kernel<10, 2> for PdfDirectionKernel {
     #[inline(always)]
-    fn run<L: Lane>(strategy: Strategy<L>, [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10]) -> [L; 2] {
-        let (sampler, is_sampled) = sampler(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+    fn run<L: Lane>(
+        strategy: Strategy<L>,
+        [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10],
+    ) -> ([L; 2], L::Mask) {
+        let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let (sampler, is_sampled) = point.sampler();
         let direction = Vec3::new(x, y, z);
-        let density = sampler.pdf(sampler.offset(direction));
-        or_zeros(is_sampled & is_unit(direction), density_numbers(density))
+        let density = sampler.pdf_direction(direction);
+        point.results((sampler, is_sampled), is_unit(direction), density_numbers(density))
     }
 }
 
@@ -270,10 +354,34 @@ pub(crate) struct PdfOnSphereKernel;
 
 impl Kernel<10, 2> for PdfOnSphereKernel {
     #[inline(always)]
-    fn run<L: Lane>(strategy: Strategy<L>, [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10]) -> [L; 2] {
-        let (sampler, is_sampled) = sampler(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+    fn run<L: Lane>(
+        strategy: Strategy<L>,
+        [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10],
+    ) -> ([L; 2], L::Mask) {
+        let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let (sampler, is_sampled) = point.sampler();
         let direction = Vec3::new(x, y, z);
-        let density = sampler.pdf_on_sphere(sampler.offset(direction));
-        or_zeros(is_sampled & is_unit(direction), density_numbers(density))
+        let density = sampler.pdf_on_sphere(direction);
+        point.results((sampler, is_sampled), is_unit(direction), density_numbers(density))
     }
+}
+
+/// A point gives the solid angle and the projected one.
+pub(crate) struct MeasuresKernel;
+
+impl Kernel<7, 2> for MeasuresKernel {
+    #[inline(always)]
+    fn run<L: Lane>(strategy: Strategy<L>, numbers: [L; 7]) -> ([L; 2], L::Mask) {
+        let point = Point::new(strategy, numbers);
+        let (sampler, is_sampled) = point.sampler();
+        let cap = sampler.cap();
+        let measures = [cap.solid_angle(), cap.projected_solid_angle()];
+        point.results((sampler, is_sampled), always::<L>(), measures)
+    }
+}
+
+/// True.
+#[inline(always)]
+fn always<L: Lane>() -> L::Mask {
+    L::lit(0.0).le(L::lit(0.0))
 }

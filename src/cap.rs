@@ -35,10 +35,10 @@ use core::f64::consts::PI;
 /// this precision can weigh, have the areas 0.
 ///
 /// ```
-/// use spherecap::{Cap, Vec3};
+/// use spherecap::Cap;
 ///
 /// // A sphere of radius 1 with its centre on the horizon, at a distance of 2.
-/// let cap = Cap::<f64>::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(2.0, 0.0, 0.0), 1.0);
+/// let cap = Cap::<f64>::new([0.0, 0.0, 1.0], [2.0, 0.0, 0.0], 1.0);
 /// assert!((cap.distance() - 2.0).abs() < 1e-15 && (cap.radius_sin() - 0.5).abs() < 1e-15);
 /// assert_eq!(cap.elevation_sin(), 0.0);
 /// assert!(!cap.is_inside());
@@ -120,12 +120,12 @@ impl<L: Lane> Cap<L> {
     /// as it stands: a cosine is a dot product with it. Total: lanes with other input give a cap with areas 0 or NaN.
     ///
     /// ```
-    /// # use spherecap::{Cap, Vec3};
-    /// let (up, below) = (Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, -2.0));
-    /// assert_eq!(Cap::<f32>::new(up, below, 1.0).projected_solid_angle(), 0.0);
+    /// # use spherecap::Cap;
+    /// assert_eq!(Cap::<f32>::new([0.0, 0.0, 1.0], [0.0, 0.0, -2.0], 1.0).projected_solid_angle(), 0.0);
     /// ```
     #[inline(always)]
-    pub fn new(normal: Vec3<L>, centre: Vec3<L>, radius: L) -> Self {
+    pub fn new(normal: impl Into<[L; 3]>, centre: impl Into<[L; 3]>, radius: L) -> Self {
+        let (normal, centre) = (Vec3::from(normal.into()), Vec3::from(centre.into()));
         let size = (centre.x.abs() + centre.y.abs()) + (centre.z.abs() + radius);
         let [scale, unscale] = power_of_two_near_reciprocal(size);
         let (c, r) = (centre * scale, radius * scale);
@@ -243,9 +243,9 @@ impl<L: Lane> Cap<L> {
     /// rounding). 0 for a point inside the sphere.
     ///
     /// ```
-    /// # use spherecap::{Cap, Vec3};
+    /// # use spherecap::Cap;
     /// # use std::f64::consts::PI;
-    /// let cap = Cap::<f64>::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, 5.0), 3.0);
+    /// let cap = Cap::<f64>::new([0.0, 0.0, 1.0], [0.0, 0.0, 5.0], 3.0);
     /// let cosine = 0.8; // of its angular radius, whose sine is 3/5
     /// assert!((cap.solid_angle() - 2.0 * PI * (1.0 - cosine)).abs() < 1e-14);
     /// ```
@@ -257,10 +257,10 @@ impl<L: Lane> Cap<L> {
     /// Projected solid angle of the cap above the horizon, in steradians, in [0, pi] (to rounding).
     ///
     /// ```
-    /// # use spherecap::{Cap, Vec3};
+    /// # use spherecap::Cap;
     /// # use std::f64::consts::PI;
     /// // At the zenith: a disk of radius s = 3/5.
-    /// let cap = Cap::<f64>::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, 5.0), 3.0);
+    /// let cap = Cap::<f64>::new([0.0, 0.0, 1.0], [0.0, 0.0, 5.0], 3.0);
     /// assert!((cap.projected_solid_angle() - 0.36 * PI).abs() < 1e-14);
     /// ```
     #[inline(always)]

@@ -4,11 +4,11 @@
 //! diffuse surface: without occlusion every sample has the same weight, so one ray shows no noise.
 //!
 //! ```
-//! use spherecap::{Sampler, Strategy};
+//! use spherecap::{Receiver, Sampler};
 //!
 //! // A light of radius 0.5, whose centre is below the horizon of a floor with the normal z.
-//! let (normal, centre, radius) = ([0.0, 0.0, 1.0], [1.0, 0.0, -0.2], 0.5);
-//! let sampler = Sampler::<f32>::prepare(Strategy::default(), normal, centre, radius)?;
+//! let (floor, centre, radius) = (Receiver::new([0.0, 0.0, 1.0]), [1.0, 0.0, -0.2], 0.5);
+//! let sampler = Sampler::<f32>::prepare(floor, centre, radius)?;
 //! let sample = sampler.sample(0.3, 0.7);
 //!
 //! // A ray along `sample.direction` meets the light after `sample.distance`; the irradiance is one number,
@@ -31,7 +31,8 @@
 //! # Features and dependencies
 //!
 //! The crate has no Cargo features, and a program that uses only the Rust API links nothing of the C ABI. It needs `std` (to find
-//! out what instructions the processor has), the crate `glam` for vectors at its boundary, and `libc` for the types of the C ABI.
+//! out what instructions the processor has), and `libc` for the C ABI. Vectors are arrays at its boundary: [`Vec3`] says how those
+//! of other libraries become one.
 //!
 //! # Speed
 //!
@@ -48,8 +49,6 @@ mod cap;
 mod compensated;
 mod disk;
 mod ffi;
-mod ffi_batch;
-mod ffi_record;
 mod fits;
 mod lane;
 mod math;
@@ -63,7 +62,9 @@ pub use fits::Fits;
 pub use lane::{lit, Blend, Lane, Lit, Mask};
 pub use offset::Offset;
 pub use prepare::{Refusal, Scalar, UNIT_TOLERANCE};
-pub use sampling::{density_bound_for_radius, Density, Hemispheres, Sample, Sampler, Strategy, Technique};
+pub use sampling::{
+    density_bound_for_radius, Density, Hemispheres, Receiver, Sample, Sampler, Strategy, Technique,
+};
 pub use vec3::Vec3;
 
 /// The README's example is a test.

@@ -8,11 +8,11 @@ use crate::vec3::Vec3;
 /// in small caps and near the horizon.
 ///
 /// ```
-/// use spherecap::{Sampler, Strategy};
+/// use spherecap::{Receiver, Sampler};
 ///
 /// // A light as small as a millionth of its distance: a unit vector in single precision has only some twenty directions
 /// // across it, an offset has them all.
-/// let sampler = Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [3.0, 0.0, 4.0], 5e-6)?;
+/// let sampler = Sampler::<f32>::prepare(Receiver::new([0.0, 0.0, 1.0]), [3.0, 0.0, 4.0], 5e-6)?;
 /// let [a, b] = [0.5, 0.500001].map(|u| sampler.sample(0.25, u).offset);
 /// assert!(a != b && a.side.abs() <= 1e-6);
 /// # Ok::<(), spherecap::Refusal>(())

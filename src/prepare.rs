@@ -1,31 +1,32 @@
 //! The checked way in for scalars: bad input gets an error that says what to do.
 
 use crate::cap::Cap;
-use crate::lane::{branch, lit, Lane};
-use crate::math::polynomial;
+use crate::lane::{branch, lit, Lane, Mask};
+use crate::math::power_of_two_near_reciprocal;
 use crate::offset::Offset;
-use crate::sampling::{Sampler, Strategy};
+use crate::sampling::{Receiver, Sampler};
 use crate::vec3::Vec3;
 use core::{ffi::CStr, fmt};
 
-/// How far the length of a unit vector may be from 1: interpolated and transformed normals are that good, forgotten
-/// normalisations are not.
+/// How far the length of a unit direction may be from 1: rounded ones are much better, forgotten normalisations are not.
 ///
 /// ```
-/// use spherecap::{Refusal, Sampler, Strategy, UNIT_TOLERANCE};
+/// use spherecap::{Receiver, Sampler, UNIT_TOLERANCE};
 ///
-/// let prepare = |z| Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, z], [0.0, 0.0, 2.0], 1.0);
-/// assert!(prepare(1.0 + 0.9 * UNIT_TOLERANCE).is_ok());
-/// assert_eq!(prepare(1.0 + 1.1 * UNIT_TOLERANCE).err(), Some(Refusal::Normal));
+/// let sampler = Sampler::<f64>::prepare(Receiver::new([0.0, 0.0, 1.0]), [0.0, 0.0, 2.0], 1.0)?;
+/// let density = |length| sampler.pdf_on_sphere([0.0, 0.0, length]).solid_angle;
+/// assert!(density(1.0 + 0.9 * UNIT_TOLERANCE) > 0.0);
+/// assert_eq!(density(1.0 + 1.1 * UNIT_TOLERANCE), 0.0);
+/// # Ok::<(), spherecap::Refusal>(())
 /// ```
 pub const UNIT_TOLERANCE: f64 = 1e-3;
 
 /// Why there is nothing to sample.
 ///
 /// ```
-/// use spherecap::{Refusal, Sampler, Strategy};
+/// use spherecap::{Receiver, Refusal, Sampler};
 ///
-/// let light_at = |z| Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [0.0, 0.0, z], 1.0);
+/// let light_at = |z| Sampler::<f32>::prepare(Receiver::new([0.0, 0.0, 1.0]), [0.0, 0.0, z], 1.0);
 /// assert_eq!(light_at(-2.0).err(), Some(Refusal::Invisible));
 /// assert_eq!(light_at(0.5).err(), Some(Refusal::Inside));
 /// assert!(light_at(f32::NAN).err().unwrap().to_string().contains("finite"));
@@ -38,7 +39,7 @@ pub enum Refusal {
     Inside,
     /// The defensive fraction is not in [0, 1].
     Defensive,
-    /// The normal is neither of unit length nor exactly zero.
+    /// The normal is not finite.
     Normal,
     /// The centre is not at a finite distance, or is the shading point.
     Centre,
@@ -54,7 +55,7 @@ impl Refusal {
             Self::Inside => c"the point is inside or on the sphere, so nothing is sampled: add no light",
             Self::Defensive => c"the defensive fraction must be a number in [0, 1]",
             Self::Normal => {
-                c"the normal must have length 1 (to within 0.001), or be exactly (0, 0, 0) on no surface: normalise it"
+                c"the normal must be finite: of any length on a surface, or exactly (0, 0, 0) on none"
             }
             Self::Centre => {
                 c"the centre must be at a finite distance from the shading point, relative to it and different from it"
@@ -75,12 +76,12 @@ impl std::error::Error for Refusal {}
 /// The scalar lanes.
 ///
 /// ```
-/// use spherecap::{Sampler, Scalar, Strategy};
+/// use spherecap::{Receiver, Sampler, Scalar};
 ///
 /// fn irradiance<F: Scalar>(height: f64) -> F {
 ///     let lit = F::lit;
 ///     let [normal, centre] = [lit(1.0), lit(height)].map(|z| [lit(0.0), lit(0.0), z]);
-///     match Sampler::prepare(Strategy::default(), normal, centre, lit(1.0)) {
+///     match Sampler::prepare(Receiver::new(normal), centre, lit(1.0)) {
 ///         Ok(sampler) => sampler.cap().projected_solid_angle(),
 ///         Err(_) => lit(0.0),
 ///     }
@@ -100,13 +101,8 @@ pub(crate) fn is_unit<L: Lane>(v: Vec3<L>) -> L::Mask {
     low.le(length2) & length2.le(high)
 }
 
-/// Whether a normal is exactly zero, as it is on no surface.
-#[inline(always)]
-fn is_zero<L: Lane>(v: Vec3<L>) -> L::Mask {
-    (v.x.abs() + v.y.abs() + v.z.abs()).le(L::lit(0.0))
-}
-
-/// A normal that [`Cap::new`] may be given, from one that is zero or of about unit length.
+/// A normal that [`Cap::new`] may be given, from one of any length: of length 1, or zero if this is zero; NaN, at least in part,
+/// if this is not finite.
 ///
 /// Unit vectors of single precision are used as they stand. With a longer or shorter one the cap would contradict itself:
 /// a cosine would not be that of its angle.
@@ -114,8 +110,13 @@ fn is_zero<L: Lane>(v: Vec3<L>) -> L::Mask {
 fn unit_or_zero<L: Lane>(normal: Vec3<L>) -> Vec3<L> {
     let excess = normal.dot(normal) - lit(1.0);
     let is_rounded = excess.abs().le(L::lit(4.0 * f64::from(f32::EPSILON)));
-    // (1 + excess)^(-1/2), whose series leaves 5e-12 at the largest excess, 0.002. Zeros stay zeros.
-    branch!(is_rounded, normal, { normal * polynomial(excess, &[1.0, -1.0 / 2.0, 3.0 / 8.0, -5.0 / 16.0]) })
+    branch!(is_rounded, normal, {
+        let [scale, _] = power_of_two_near_reciprocal(normal.x.abs() + normal.y.abs() + normal.z.abs());
+        let near_one = normal * scale;
+        // Zeros stay zeros: every other length is at least an epsilon by now.
+        let length = near_one.dot(near_one).sqrt().max(L::lit(L::MIN_POSITIVE));
+        Vec3::new(near_one.x / length, near_one.y / length, near_one.z / length)
+    })
 }
 
 /// Whether the defensive fraction is one.
@@ -132,65 +133,87 @@ pub(crate) fn is_offset<L: Lane>(offset: Offset<L>) -> L::Mask {
     zenith.abs().le(largest) & side.abs().le(largest) & cosine.abs().le(largest)
 }
 
+/// What is wrong with input, each a mask.
+struct Faults<M> {
+    defensive: M,
+    normal: M,
+    radius: M,
+    centre: M,
+}
+
+impl<M: Mask> Faults<M> {
+    /// Those of what [`Sampler::prepare`] is given; `cap` is what [`Cap::new`] made of it.
+    #[inline(always)]
+    fn of<L: Lane<Mask = M>>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L, cap: &Cap<L>) -> Self {
+        let (zero, largest) = (L::lit(0.0), L::lit(L::MAX));
+        let normal = receiver.normal;
+        let is_finite = normal.x.abs().le(largest) & normal.y.abs().le(largest) & normal.z.abs().le(largest);
+        let is_away = zero.lt(centre.x.abs() + centre.y.abs() + centre.z.abs());
+        Self {
+            defensive: !is_fraction(receiver.strategy.defensive),
+            normal: !is_finite,
+            radius: !(zero.lt(radius) & radius.le(largest)),
+            centre: !(is_away & cap.distance().le(largest)),
+        }
+    }
+
+    #[inline(always)]
+    fn any(self) -> M {
+        self.defensive | self.normal | self.radius | self.centre
+    }
+}
+
 impl<F: Scalar> Sampler<F> {
-    /// Prepares sampling of the sphere with this `centre` (relative to the shading point) and `radius` (same unit of length)
-    /// above the surface with this `normal`, or for a point on no surface if the normal is exactly zero.
+    /// Prepares sampling of the sphere with this `centre` (relative to the shading point) and `radius` (same unit of length) for
+    /// what receives its light.
     ///
     /// # Errors
     /// A [`Refusal`], also for valid input with nothing to sample.
     ///
     /// ```
-    /// use spherecap::{Hemispheres, Sampler, Strategy, Technique};
+    /// use spherecap::{Hemispheres, Receiver, Sampler, Strategy, Technique};
     ///
     /// let strategy = Strategy { technique: Technique::Projected, hemispheres: Hemispheres::Both, defensive: 0.125 };
-    /// let sampler = Sampler::<f32>::prepare(strategy, [0.0, 0.0, 1.0], [3.0, 0.0, -0.5], 1.0)?;
+    /// let leaf = Receiver { normal: [0.0, 0.0, 1.0].into(), strategy };
+    /// let sampler = Sampler::<f32>::prepare(leaf, [3.0, 0.0, -0.5], 1.0)?;
     /// assert!(sampler.sample(0.5, 0.5).density.solid_angle > 0.0);
     /// # Ok::<(), spherecap::Refusal>(())
     /// ```
     #[inline(always)]
-    pub fn prepare(
-        strategy: Strategy<F>,
-        normal: impl Into<Vec3<F>>,
-        centre: impl Into<Vec3<F>>,
-        radius: F,
-    ) -> Result<Self, Refusal> {
-        let (normal, centre) = (normal.into(), centre.into());
-        let (sampler, is_possible) = Self::prepare_where_possible(strategy, normal, centre, radius);
+    pub fn prepare(receiver: Receiver<F>, centre: impl Into<[F; 3]>, radius: F) -> Result<Self, Refusal> {
+        let centre = centre.into().into();
+        let (sampler, is_possible) = Self::prepare_where_possible(receiver, centre, radius);
         if is_possible {
             Ok(sampler)
         } else {
-            Err(refusal(strategy.defensive, normal, centre, radius, sampler.cap()))
+            Err(refusal(receiver, centre, radius, sampler.cap()))
         }
     }
 }
 
 /// Why a preparation was not possible; `cap` is what [`Cap::new`] made of the input.
 #[inline(always)]
-pub(crate) fn refusal<F: Scalar>(
-    defensive: F,
-    normal: Vec3<F>,
-    centre: Vec3<F>,
-    radius: F,
-    cap: &Cap<F>,
-) -> Refusal {
-    let (zero, largest) = (F::lit(0.0), F::lit(F::MAX));
-    // The squares of lengths may overflow where the length does not.
-    let longest = centre.x.abs().max(centre.y.abs()).max(centre.z.abs());
-    let relative = Vec3::new(centre.x / longest, centre.y / longest, centre.z / longest);
-    let distance = longest * relative.dot(relative).sqrt();
-    if !is_fraction(defensive) {
+pub(crate) fn refusal<F: Scalar>(receiver: Receiver<F>, centre: Vec3<F>, radius: F, cap: &Cap<F>) -> Refusal {
+    let faults = Faults::of(&receiver, centre, radius, cap);
+    if faults.defensive {
         Refusal::Defensive
-    } else if !(is_zero(normal) || is_unit(normal)) {
+    } else if faults.normal {
         Refusal::Normal
-    } else if !(zero < radius && radius <= largest) {
+    } else if faults.radius {
         Refusal::Radius
-    } else if !(zero < distance && distance <= largest) {
+    } else if faults.centre {
         Refusal::Centre
     } else if cap.is_inside() {
         Refusal::Inside
     } else {
         Refusal::Invisible
     }
+}
+
+/// Where the input is bad, other than valid input with nothing to sample; `cap` likewise.
+#[inline(always)]
+pub(crate) fn is_bad<L: Lane>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L, cap: &Cap<L>) -> L::Mask {
+    Faults::of(receiver, centre, radius, cap).any()
 }
 
 impl<L: Lane> Sampler<L> {
@@ -200,14 +223,16 @@ impl<L: Lane> Sampler<L> {
     /// sample or no distance.
     #[inline(always)]
     pub(crate) fn prepare_where_possible(
-        strategy: Strategy<L>,
-        normal: Vec3<L>,
+        receiver: Receiver<L>,
         centre: Vec3<L>,
         radius: L,
     ) -> (Self, L::Mask) {
-        let is_valid =
-            is_fraction(strategy.defensive) & (is_zero(normal) | is_unit(normal)) & L::lit(0.0).lt(radius);
-        let cap = Cap::new(unit_or_zero(normal), centre, radius);
+        let Receiver { normal, strategy } = receiver;
+        let unit = unit_or_zero(normal);
+        // False for NaN.
+        let has_length = unit.dot(unit).le(L::lit(2.0));
+        let is_valid = is_fraction(strategy.defensive) & has_length & L::lit(0.0).lt(radius);
+        let cap = Cap::new(unit, centre, radius);
         let is_near = cap.distance().le(L::lit(L::MAX));
         let sampler = Self::new(cap, strategy);
         (sampler, is_valid & is_near & !sampler.is_empty())

@@ -3,7 +3,8 @@
 use crate::lane::{Blend, Lane};
 use core::ops::Mul;
 
-/// A vector of three lanes, laid out as `[x, y, z]`.
+/// A vector of three lanes, laid out as `[x, y, z]`. It converts from and into such an array, and so into what other libraries
+/// call a vector: functions here take everything that converts into an array.
 ///
 /// ```
 /// use spherecap::Vec3;
@@ -11,6 +12,10 @@ use core::ops::Mul;
 /// let v: Vec3<f32> = [1.0, 2.0, 3.0].into();
 /// assert_eq!(v.dot(Vec3::new(0.0, 0.0, 1.0)), 3.0);
 /// assert_eq!(<[f32; 3]>::from(v), [1.0, 2.0, 3.0]);
+/// // With glam, of whatever version:
+/// let v = glam::Vec3::from(<[f32; 3]>::from(v));
+/// let receiver = spherecap::Receiver::new(v);
+/// assert_eq!(receiver.normal.z, v.z);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
@@ -115,21 +120,3 @@ impl<L> From<Vec3<L>> for [L; 3] {
         [v.x, v.y, v.z]
     }
 }
-
-macro_rules! glam_conversions {
-    ($($glam:ty, $lane:ty);*) => {$(
-        impl From<$glam> for Vec3<$lane> {
-            #[inline(always)]
-            fn from(v: $glam) -> Self {
-                Self::new(v.x, v.y, v.z)
-            }
-        }
-        impl From<Vec3<$lane>> for $glam {
-            #[inline(always)]
-            fn from(v: Vec3<$lane>) -> Self {
-                Self::new(v.x, v.y, v.z)
-            }
-        }
-    )*};
-}
-glam_conversions!(glam::Vec3, f32; glam::DVec3, f64);

@@ -7,7 +7,7 @@ mod common;
 
 use common::distortion::errors;
 use common::strata::{scene, STRATA};
-use common::{lanes, reference_caps, widen, Random, Scene, TECHNIQUES};
+use common::{reference_caps, widen, Random, Scene, TECHNIQUES};
 use spherecap::{Hemispheres, Offset, Sampler, Scalar, Strategy, Technique};
 use std::fmt::Write as _;
 use std::{env, fs, path::Path};
@@ -97,8 +97,7 @@ fn strategy<F: Scalar>(technique: Technique) -> Strategy<F> {
 }
 
 fn sampler<F: Scalar>(technique: Technique, scene: &Scene) -> Option<Sampler<F>> {
-    let (normal, centre) = (lanes::<F>(scene.normal), lanes(scene.centre));
-    Sampler::prepare(strategy(technique), normal, centre, F::lit(scene.radius)).ok()
+    scene.prepare(strategy(technique)).ok()
 }
 
 fn areas(page: &mut String) {

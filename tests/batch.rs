@@ -5,8 +5,10 @@ mod common;
 
 use common::strata::{scene, STRATA};
 use common::{hard_scenes, lanes, reference_caps, Random, Scene, TECHNIQUES};
-use spherecap::batch::{Batch, Densities, Instructions, Samples};
-use spherecap::{Density, Hemispheres, Offset, Sample, Sampler, Strategy, Vec3, UNIT_TOLERANCE};
+use spherecap::batch::{Batch, Densities, Instructions, Measures, Samples};
+use spherecap::{
+    Density, Hemispheres, Offset, Receiver, Refusal, Sample, Sampler, Strategy, Vec3, UNIT_TOLERANCE,
+};
 use std::fs;
 
 /// The instruction sets of this machine. The kernel names what the CPU has and the system allows.
@@ -75,7 +77,7 @@ impl Arrays {
         let u = [number(), number()];
         push(&mut self.u, &u);
         // Of a sample, so that there is a density; or any.
-        let sampler = Sampler::prepare(Strategy::default(), normal, centre, radius);
+        let sampler = Sampler::prepare(Receiver::new(normal), centre, radius);
         let sample = sampler.ok().filter(|_| !random.bits().is_multiple_of(8)).map(|s| s.sample(u[0], u[1]));
         let direction = sample.map_or(random.direction().map(|x| x as f32), |s| s.direction.into());
         push(&mut self.direction, &direction);
@@ -94,56 +96,61 @@ impl Arrays {
         Batch { strategy, normal, centre, radius: &self.radius[from..to] }
     }
 
-    /// What the scalar sampler gives for one element, or zeros: sample, and the three densities.
-    fn expected(&self, strategy: Strategy<f32>, i: usize) -> [f32; 18] {
+    /// What the scalar sampler gives for one element, or zeros: sample, the three densities, and the measures. And for which of
+    /// the five the input is bad.
+    fn expected(&self, strategy: Strategy<f32>, i: usize) -> ([f32; 20], [bool; 5]) {
         let vector = |v: &[Vec<f32>; 3]| Vec3::new(v[0][i], v[1][i], v[2][i]);
-        let mut numbers = [0.0; 18];
-        let Ok(sampler) =
-            Sampler::prepare(strategy, vector(&self.normal), vector(&self.centre), self.radius[i])
-        else {
-            return numbers;
-        };
-        let [u0, u1] = [self.u[0][i], self.u[1][i]];
-        if (0.0..=1.0).contains(&u0) && (0.0..=1.0).contains(&u1) {
-            let Sample { offset: o, direction: w, distance, normal: n, density } = sampler.sample(u0, u1);
-            let Density { solid_angle, projected_solid_angle } = density;
-            assert!(solid_angle > 0.0, "a sample has a density");
-            numbers[..12].copy_from_slice(&[
-                o.zenith,
-                o.side,
-                o.cosine,
-                w.x,
-                w.y,
-                w.z,
-                distance,
-                n.x,
-                n.y,
-                n.z,
-                solid_angle,
-                projected_solid_angle,
-            ]);
-        }
-        let pair = |density: Density<f32>| [density.solid_angle, density.projected_solid_angle];
+        let mut numbers = [0.0; 20];
         let Vec3 { x: zenith, y: side, z: cosine } = vector(&self.offset);
         let largest = (1.0 + UNIT_TOLERANCE) as f32;
-        if [zenith, side, cosine].iter().all(|x| x.abs() <= largest) {
-            numbers[12..14].copy_from_slice(&pair(sampler.pdf(Offset { zenith, side, cosine })));
-        }
+        let is_offset = [zenith, side, cosine].iter().all(|x| x.abs() <= largest);
         let direction = vector(&self.direction);
         let length = f64::from(direction.dot(direction)).sqrt();
-        if (length - 1.0).abs() <= UNIT_TOLERANCE {
-            let offset = sampler.offset(direction);
-            numbers[14..16].copy_from_slice(&pair(sampler.pdf(offset)));
-            numbers[16..18].copy_from_slice(&pair(sampler.pdf_on_sphere(offset)));
+        let is_unit = (length - 1.0).abs() <= UNIT_TOLERANCE;
+        let receiver = Receiver { normal: vector(&self.normal), strategy };
+        let sampler = Sampler::prepare(receiver, vector(&self.centre), self.radius[i]);
+        let is_point =
+            !matches!(&sampler, Err(refusal) if !matches!(refusal, Refusal::Invisible | Refusal::Inside));
+        let is_good = [true, is_offset, is_unit, is_unit, true].map(|is_rest_good| is_point && is_rest_good);
+        let is_bad = is_good.map(|is_good| !is_good);
+        let Ok(sampler) = sampler else { return (numbers, is_bad) };
+        let [u0, u1] = [self.u[0][i], self.u[1][i]];
+        let Sample { offset: o, direction: w, distance, normal: n, density } = sampler.sample(u0, u1);
+        let Density { solid_angle, projected_solid_angle } = density;
+        assert!(solid_angle > 0.0, "a sample has a density");
+        numbers[..12].copy_from_slice(&[
+            o.zenith,
+            o.side,
+            o.cosine,
+            w.x,
+            w.y,
+            w.z,
+            distance,
+            n.x,
+            n.y,
+            n.z,
+            solid_angle,
+            projected_solid_angle,
+        ]);
+        let pair = |density: Density<f32>| [density.solid_angle, density.projected_solid_angle];
+        if is_offset {
+            numbers[12..14].copy_from_slice(&pair(sampler.pdf(Offset { zenith, side, cosine })));
         }
-        numbers
+        if is_unit {
+            numbers[14..16].copy_from_slice(&pair(sampler.pdf(sampler.offset(direction))));
+            numbers[16..18].copy_from_slice(&pair(sampler.pdf_in_cap(sampler.offset(direction))));
+        }
+        assert_eq!(numbers[14..16], pair(sampler.pdf_direction(direction)));
+        assert_eq!(numbers[16..18], pair(sampler.pdf_on_sphere(direction)));
+        numbers[18..].copy_from_slice(&[sampler.cap().solid_angle(), sampler.cap().projected_solid_angle()]);
+        (numbers, is_bad)
     }
 
     /// What batches give for elements `from..to`.
-    fn found(&self, set: Instructions, strategy: Strategy<f32>, from: usize, to: usize) -> [Vec<f32>; 18] {
-        let mut results = [(); 18].map(|()| vec![CANARY; to - from + 2 * MARGIN]);
+    fn found(&self, set: Instructions, strategy: Strategy<f32>, from: usize, to: usize) -> Found {
+        let mut results = [(); 20].map(|()| vec![CANARY; to - from + 2 * MARGIN]);
         let mut outputs = results.each_mut().map(|r| Some(&mut r[MARGIN..][..to - from])).into_iter();
-        let mut next = || outputs.next().expect("there are 18");
+        let mut next = || outputs.next().expect("there are 20");
         let samples = Samples {
             offset: Offset { zenith: next(), side: next(), cosine: next() },
             direction: Vec3::new(next(), next(), next()),
@@ -152,33 +159,47 @@ impl Arrays {
             density: Density { solid_angle: next(), projected_solid_angle: next() },
         };
         let densities = [(); 3].map(|()| Densities { solid_angle: next(), projected_solid_angle: next() });
-        let batch = self.batch(strategy, from, to);
-        batch.sample_with(set, slices(&self.u, from, to), samples);
+        let measures = Measures { solid_angle: next(), projected_solid_angle: next() };
         drop(outputs);
+        let batch = self.batch(strategy, from, to);
         let [of_offset, of_direction, on_sphere] = densities;
         let [zenith, side, cosine] = slices(&self.offset, from, to);
-        batch.pdf_with(set, Offset { zenith, side, cosine }, of_offset);
         let direction = Vec3::from(slices(&self.direction, from, to));
-        batch.pdf_direction_with(set, direction, of_direction);
-        batch.pdf_on_sphere_with(set, direction, on_sphere);
-        results.map(|result| {
+        let refused = [
+            batch.sample_with(set, slices(&self.u, from, to), samples),
+            batch.pdf_with(set, Offset { zenith, side, cosine }, of_offset),
+            batch.pdf_direction_with(set, direction, of_direction),
+            batch.pdf_on_sphere_with(set, direction, on_sphere),
+            batch.measures_with(set, measures),
+        ];
+        let numbers = results.map(|result| {
             let (before, rest) = result.split_at(MARGIN);
             let (result, after) = rest.split_at(to - from);
             assert!(before.iter().chain(after).all(|&x| x == CANARY), "written outside the array");
             result.to_vec()
-        })
+        });
+        Found { numbers, refused }
     }
+}
+
+struct Found {
+    numbers: [Vec<f32>; 20],
+    /// What each function returns.
+    refused: [usize; 5],
 }
 
 /// What is around the outputs, and how much of it: more than a packet.
 const CANARY: f32 = -123.0;
 const MARGIN: usize = 20;
 
-fn check(arrays: &Arrays, strategy: Strategy<f32>, from: usize, found: &[Vec<f32>; 18]) -> usize {
-    let mut sampled = 0;
-    for i in 0..found[0].len() {
-        let expected = arrays.expected(strategy, from + i);
-        let found = found.each_ref().map(|result| result[i]);
+fn check(arrays: &Arrays, strategy: Strategy<f32>, from: usize, found: &Found) -> usize {
+    let (mut sampled, mut refused) = (0, [0; 5]);
+    for i in 0..found.numbers[0].len() {
+        let (expected, is_bad) = arrays.expected(strategy, from + i);
+        for (refused, is_bad) in refused.iter_mut().zip(is_bad) {
+            *refused += usize::from(is_bad);
+        }
+        let found = found.numbers.each_ref().map(|result| result[i]);
         assert_eq!(
             found.map(f32::to_bits),
             expected.map(f32::to_bits),
@@ -187,6 +208,7 @@ fn check(arrays: &Arrays, strategy: Strategy<f32>, from: usize, found: &[Vec<f32
         );
         sampled += usize::from(expected[10] > 0.0);
     }
+    assert_eq!(found.refused, refused, "{strategy:?}");
     sampled
 }
 
@@ -205,10 +227,10 @@ fn batches_give_the_bits_of_scalars() {
         };
         arrays.push(&scene, &mut random);
     }
-    // Some of it on no surface, with long normals, and spoilt.
+    // Some of it on no surface, with normals of other lengths, and spoilt.
     let count = arrays.radius.len();
     for i in (0..count).step_by(11) {
-        let factor = [0.0, 0.9995, 1.0009, 1.01][i % 4];
+        let factor = [0.0, 0.9995, 2.0, 1e30, 1e-42][i % 5];
         arrays.normal.iter_mut().for_each(|n| n[i] *= factor);
     }
     let bad =
@@ -257,7 +279,8 @@ fn only_what_is_wanted_is_stored() {
     (0..50).for_each(|_| arrays.push(&scene(1, &mut random), &mut random));
     let strategy = Strategy::default();
     for set in instruction_sets() {
-        let all = arrays.found(set, strategy, 0, 50);
+        let Found { numbers: all, refused } = arrays.found(set, strategy, 0, 50);
+        assert_eq!(refused, [0; 5]);
         let mut y = vec![CANARY; 50];
         let direction = Vec3::new(None, Some(&mut y[..]), None);
         let batch = arrays.batch(strategy, 0, 50);

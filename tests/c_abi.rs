@@ -5,9 +5,9 @@
 
 mod common;
 
-use common::{hard_scenes, reference_caps, strategies, Random, Scene};
+use common::{hard_scenes, reference_caps, strategies, Random, ReferenceCap, Scene};
 use spherecap::batch::Instructions;
-use spherecap::{Density, Sampler, Strategy};
+use spherecap::{Density, Receiver, Refusal, Sampler, Scalar, Strategy};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::fs::{self, File};
@@ -109,12 +109,24 @@ fn succeed(command: &mut Command) -> String {
 /// Runs a program that was built here; `Err` has its standard error. The sanitizers' leak checker is off: it traces the
 /// process, which containers may forbid. (The library cannot allocate, see below.)
 fn run(program: &Path, arguments: &[&str], input: &str) -> Result<String, String> {
+    run_by(None, program, arguments, input)
+}
+
+/// The same with `SPHERECAP_INSTRUCTIONS` set or not.
+fn run_by(
+    instructions: Option<&str>,
+    program: &Path,
+    arguments: &[&str],
+    input: &str,
+) -> Result<String, String> {
     let [stdin, stdout, stderr] = ["in", "out", "err"].map(|end| program.with_extension(end));
     fs::write(&stdin, input).expect("the target directory is writable");
     let create = |path: &Path| File::create(path).expect("the target directory is writable");
     let mut child = Command::new(program)
         .args(arguments)
         .env("ASAN_OPTIONS", "detect_leaks=0")
+        .env_remove("SPHERECAP_INSTRUCTIONS")
+        .envs(instructions.map(|word| ("SPHERECAP_INSTRUCTIONS", word)))
         .stdin(File::open(&stdin).expect("it was just written"))
         .stdout(Stdio::from(create(&stdout)))
         .stderr(Stdio::from(create(&stderr)))
@@ -194,8 +206,11 @@ fn run_both(source: &str, input: &str) -> String {
     plain
 }
 
+/// Both headers.
 fn header() -> String {
-    fs::read_to_string(root().join("include/spherecap.h")).expect("include/spherecap.h is readable")
+    let read =
+        |name| fs::read_to_string(root().join("include").join(name)).expect("the headers are readable");
+    ["spherecap.h", "spherecap_record.h"].map(read).concat()
 }
 
 /// Names of the functions that the header declares.
@@ -210,7 +225,7 @@ fn functions() -> BTreeSet<String> {
         .filter(|name| !name.is_empty()) // a member that points to a function
         .collect();
     assert!(
-        names.contains("spherecap_prepare") && names.len() >= 12,
+        names.contains("spherecap_prepare") && names.len() >= 24,
         "the header is read wrongly: {names:?}"
     );
     names
@@ -289,14 +304,17 @@ fn numbers_of_every_kind_do_no_harm() {
 }
 
 #[test]
-fn the_header_stands_alone() {
-    for language in [C, Cpp] {
+fn the_headers_stand_alone() {
+    for (language, name) in
+        [(C, "spherecap"), (Cpp, "spherecap"), (C, "spherecap_record"), (Cpp, "spherecap_record")]
+    {
         let source = out_dir().join(if language == Cpp { "alone.cpp" } else { "alone.c" });
-        fs::write(
-            &source,
-            "#include \"spherecap.h\"\n#include \"spherecap.h\"\nint main(void) { return 0; }\n",
-        )
-        .expect("the target directory is writable");
+        let program = format!(
+            "#include \"{name}.h\"\n#include \"{name}.h\"\n\
+             #if SPHERECAP_VERSION_MAJOR * 10000 + SPHERECAP_VERSION_MINOR * 100 + SPHERECAP_VERSION_PATCH < 100\n\
+             #error this is older than the first version\n#endif\nint main(void) {{ return 0; }}\n"
+        );
+        fs::write(&source, program).expect("the target directory is writable");
         let mut compiler = language.compiler();
         compiler.arg(language.standard()).args(WARNINGS).arg("-I").arg(root().join("include"));
         succeed(compiler.arg("-c").arg(&source).arg("-o").arg(source.with_extension("o")));
@@ -304,7 +322,7 @@ fn the_header_stands_alone() {
 }
 
 #[test]
-fn everything_in_the_header_is_documented_and_every_function_is_called() {
+fn everything_in_the_headers_is_documented_and_every_function_is_called() {
     let header = header();
     let mut previous = "";
     let mut open_parentheses = 0;
@@ -315,7 +333,10 @@ fn everything_in_the_header_is_documented_and_every_function_is_called() {
             && !line.starts_with('}')
             && !line.starts_with("extern")
             && !line.trim_start().starts_with("//");
-        if is_declaration || line.starts_with("#define SPHERECAP_ABI") {
+        if is_declaration
+            || line.starts_with("#define SPHERECAP_ABI")
+            || line.starts_with("#define SPHERECAP_VERSION_MAJOR")
+        {
             assert!(previous.trim_start().starts_with("// "), "not documented: {line}");
             documented += 1;
         }
@@ -327,7 +348,7 @@ fn everything_in_the_header_is_documented_and_every_function_is_called() {
     }
     assert!(documented > 40, "the header is read wrongly: {documented} declarations");
 
-    for sources in [&["tests/c/calls.c", "tests/c/batch.c"][..], &["tests/c/calls.cpp"]] {
+    for sources in [&["tests/c/calls.c", "tests/c/batch.c", "tests/c/check.h"][..], &["tests/c/calls.cpp"]] {
         let read = |source| fs::read_to_string(root().join(source)).expect("the sources are readable");
         let text: String = sources.iter().map(read).collect();
         let code: String = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
@@ -337,97 +358,223 @@ fn everything_in_the_header_is_documented_and_every_function_is_called() {
     }
 }
 
-/// One line of `tests/c/bits.c`'s input.
-fn line_in(strategy: Strategy<f32>, normal: [f32; 3], centre: [f32; 3], radius: f32, u: [f32; 2]) -> String {
-    let Strategy { technique, hemispheres, defensive } = strategy;
-    let floats = [&[defensive][..], &normal, &centre, &[radius], &u].concat();
-    format!("{:x} {:x}{}\n", technique as u32, hemispheres as u32, bits(&floats))
+/// A scalar by its bits.
+trait Bits: Scalar {
+    fn hex(self) -> String;
+}
+impl Bits for f32 {
+    fn hex(self) -> String {
+        format!(" {:08x}", self.to_bits())
+    }
+}
+impl Bits for f64 {
+    fn hex(self) -> String {
+        format!(" {:016x}", self.to_bits())
+    }
 }
 
-/// The line that it should print.
-fn line_out(
-    strategy: Strategy<f32>,
-    normal: [f32; 3],
-    centre: [f32; 3],
-    radius: f32,
-    [u0, u1]: [f32; 2],
-) -> String {
-    let sampler = match Sampler::prepare(strategy, normal, centre, radius) {
-        Ok(sampler) => sampler,
-        Err(refusal) => return refusal.to_string(),
-    };
-    let sample = sampler.sample(u0, u1);
-    let offset_of_direction = sampler.offset(sample.direction);
-    let offset = [sample.offset.zenith, sample.offset.side, sample.offset.cosine];
-    let pair = |density: Density<f32>| [density.solid_angle, density.projected_solid_angle];
-    let floats = [
-        &offset[..],
-        &<[f32; 3]>::from(sample.direction),
-        &[sample.distance],
-        &<[f32; 3]>::from(sample.normal),
-        &pair(sample.density),
-        &pair(sampler.pdf(sample.offset)),
-        &pair(sampler.pdf(offset_of_direction)),
-        &pair(sampler.pdf_on_sphere(offset_of_direction)),
-        &sampler.invert(sample.offset),
-        &[sampler.cap().solid_angle(), sampler.cap().projected_solid_angle(), sampler.density_bound()],
-    ];
-    format!("ok{}", bits(&floats.concat()))
+fn bits<F: Bits>(floats: &[F]) -> String {
+    floats.iter().map(|x| x.hex()).collect()
 }
 
-fn bits(floats: &[f32]) -> String {
-    floats.iter().map(|x| format!(" {:08x}", x.to_bits())).collect()
+/// What `tests/c/bits.c` is given in a line.
+#[derive(Clone, Copy)]
+struct Line<F> {
+    receiver: Receiver<F>,
+    centre: [F; 3],
+    radius: F,
+    u: [F; 2],
 }
 
-/// The input of `tests/c/bits.c` and `tests/c/record.c`, and what the first should print.
-fn lines() -> (String, Vec<String>) {
+impl<F: Bits> Line<F> {
+    fn input(&self) -> String {
+        let Receiver { normal, strategy: Strategy { technique, hemispheres, defensive } } = self.receiver;
+        let normal: [F; 3] = normal.into();
+        let floats = [&[defensive][..], &normal, &self.centre, &[self.radius], &self.u].concat();
+        format!("{:x} {:x}{}\n", technique as u32, hemispheres as u32, bits(&floats))
+    }
+
+    /// The line that it should print.
+    fn output(&self) -> String {
+        let sampler = match Sampler::prepare(self.receiver, self.centre, self.radius) {
+            Ok(sampler) => sampler,
+            Err(refusal) => return refusal.to_string(),
+        };
+        let sample = sampler.sample(self.u[0], self.u[1]);
+        let offset = [sample.offset.zenith, sample.offset.side, sample.offset.cosine];
+        let pair = |density: Density<F>| [density.solid_angle, density.projected_solid_angle];
+        let floats = [
+            &offset[..],
+            &<[F; 3]>::from(sample.direction),
+            &[sample.distance],
+            &<[F; 3]>::from(sample.normal),
+            &pair(sample.density),
+            &pair(sampler.pdf(sample.offset)),
+            &pair(sampler.pdf_direction(sample.direction)),
+            &pair(sampler.pdf_on_sphere(sample.direction)),
+            &sampler.invert(sample.offset),
+            &[sampler.cap().solid_angle(), sampler.cap().projected_solid_angle(), sampler.density_bound()],
+        ];
+        format!("ok{}", bits(&floats.concat()))
+    }
+}
+
+/// Scenes of every kind with every strategy: the input of `tests/c/bits.c`, `bits_f64.c` and `record.c`.
+fn lines<F: Bits>() -> Vec<Line<F>> {
     let mut random = Random(1);
     let mut scenes = hard_scenes(&mut random);
     scenes.extend(reference_caps().iter().map(|row| row.scene));
     // And one of each that is refused.
     let good = Scene::above_plane(0.5, 0.1);
-    scenes.push(Scene { normal: [0.0, 0.0, 2.0], ..good });
+    scenes.push(Scene { normal: [0.0, f64::NAN, 1.0], ..good });
+    scenes.push(Scene { normal: [0.0, 0.0, f64::INFINITY], ..good });
     scenes.push(Scene { centre: [0.0; 3], ..good });
     scenes.push(Scene { radius: f64::NAN, ..good });
-    let (mut input, mut expected) = (String::new(), Vec::new());
-    for scene in &scenes {
-        let [normal, centre] = [scene.normal, scene.centre].map(|v| v.map(|x| x as f32));
-        let radius = scene.radius as f32;
-        for strategy in strategies::<f32>() {
-            let u = [random.unit() as f32, random.unit() as f32];
-            for u in [u, [u[0], 1.0]] {
-                input += &line_in(strategy, normal, centre, radius, u);
-                expected.push(line_out(strategy, normal, centre, radius, u));
-            }
+    let mut lines = Vec::new();
+    // Normals of other lengths, up to the largest number and down to subnormal ones.
+    let lengths = [0.999, 1.000_01, 3.0, 1e10, 0.5 * F::MAX, 1e-10, 30.0 * F::MIN_POSITIVE * F::EPSILON];
+    for (i, scene) in scenes.iter().enumerate() {
+        for strategy in strategies::<F>() {
+            let u = [random.unit(), random.unit()].map(F::lit);
+            let length = if i % 3 == 1 { lengths[i / 3 % lengths.len()] } else { 1.0 };
+            let normal = scene.normal.map(|x| F::lit(x * length)).into();
+            let line = Line {
+                receiver: Receiver { normal, strategy },
+                centre: scene.centre.map(F::lit),
+                radius: F::lit(scene.radius),
+                u,
+            };
+            let ends = [[u[0], F::lit(1.0)], [F::lit(f64::NAN), F::lit(-0.5)]];
+            lines.extend([line, Line { u: ends[0], ..line }, Line { u: ends[1], ..line }]);
         }
     }
-    (input, expected)
+    lines
 }
 
-#[test]
-fn c_gives_the_bits_that_rust_gives() {
-    let (input, expected) = lines();
-    let output = run_both("tests/c/bits.c", &input);
-    let (lines, inputs): (Vec<&str>, Vec<&str>) = (output.lines().collect(), input.lines().collect());
-    assert_eq!(lines.len(), expected.len());
-    for ((line, expected), input) in lines.iter().zip(&expected).zip(inputs) {
-        assert_eq!(line, expected, "C, and Rust, for {input}");
+fn input<F: Bits>(lines: &[Line<F>]) -> String {
+    lines.iter().map(Line::input).collect()
+}
+
+fn check_bits<F: Bits>(source: &str) {
+    let lines = lines::<F>();
+    let output = run_both(source, &input(&lines));
+    let found: Vec<&str> = output.lines().collect();
+    assert_eq!(found.len(), lines.len());
+    for (found, line) in found.iter().zip(&lines) {
+        assert_eq!(*found, line.output(), "C, and Rust, for {}", line.input());
     }
     // Neither side of it is empty.
-    let sampled = lines.iter().filter(|line| line.starts_with("ok")).count();
+    let sampled = found.iter().filter(|line| line.starts_with("ok")).count();
     assert!(4 * sampled > lines.len() && sampled < lines.len(), "{sampled} of {} are sampled", lines.len());
 }
 
 #[test]
+fn c_gives_the_bits_that_rust_gives() {
+    check_bits::<f32>("tests/c/bits.c");
+}
+
+#[test]
+fn c_gives_the_bits_that_rust_gives_in_double_precision() {
+    check_bits::<f64>("tests/c/bits_f64.c");
+}
+
+/// The 25-digit values, as `tests/reference.rs` holds Rust to them.
+#[test]
+fn areas_in_double_precision_from_c() {
+    let rows = reference_caps();
+    let line = |row: &ReferenceCap| {
+        let Scene { normal, centre, radius } = row.scene;
+        Line { receiver: Receiver::<f64>::new(normal), centre, radius, u: [0.5; 2] }
+    };
+    let output =
+        run_both("tests/c/bits_f64.c", &rows.iter().map(|row| line(row).input()).collect::<String>());
+    assert_eq!(output.lines().count(), rows.len());
+    let mut worst = [0.0_f64; 2];
+    for (row, found) in rows.iter().zip(output.lines()) {
+        if row.projected_solid_angle == 0.0 {
+            assert_eq!(found, Refusal::Invisible.to_string(), "row {}", row.id);
+            continue;
+        }
+        let numbers: Vec<f64> = found
+            .split_whitespace()
+            .skip(1)
+            .map(|bits| f64::from_bits(u64::from_str_radix(bits, 16).expect("hexadecimal bits")))
+            .collect();
+        // The last three numbers are solid angle, projected solid angle and bound.
+        let measures = &numbers[numbers.len() - 3..];
+        for (i, exact) in [row.solid_angle, row.projected_solid_angle].into_iter().enumerate() {
+            let error = (measures[i] / exact - 1.0).abs();
+            worst[i] = if error <= worst[i] { worst[i] } else { error };
+        }
+    }
+    println!("worst relative errors of solid angles and projected ones: {worst:?}");
+    assert!(worst.iter().all(|&error| error < 1e-12), "{worst:?}");
+}
+
+/// Subnormal numbers that are flushed to zero: the same bits, where no input is one.
+#[test]
+#[cfg(target_arch = "x86_64")]
+fn flushing_subnormal_numbers_does_no_harm() {
+    let is_normal = |x: &f32| *x == 0.0 || !x.is_subnormal();
+    let lines: Vec<Line<f32>> = lines()
+        .into_iter()
+        .filter(|line| <[f32; 3]>::from(line.receiver.normal).iter().chain(&line.centre).all(is_normal))
+        .collect();
+    let report = run(&build("tests/c/bits.c", false), &["flush"], &input(&lines));
+    let output = report.unwrap_or_else(|report| panic!("{report}"));
+    let mut other = 0;
+    for (found, line) in output.lines().zip(&lines) {
+        other += usize::from(found != line.output());
+    }
+    assert_eq!(output.lines().count(), lines.len());
+    assert_eq!(other, 0, "of {} lines", lines.len());
+    // Those that are subnormal count as zeros: here a radius.
+    let line = Line { radius: 1e-40, ..lines[0] };
+    assert!(line.output().starts_with("the sphere is not above"), "{}", line.output());
+    let output = run(&build("tests/c/bits.c", false), &["flush"], &line.input());
+    assert_eq!(output, Ok(format!("{}\n", Refusal::Radius)));
+}
+
+/// Whatever the environment names: the same bits from single points and from arrays; or, of a wrong word, a status in words.
+#[test]
+fn the_environment_chooses_the_instructions() {
+    let (bits, batch) = (build("tests/c/bits.c", false), build("tests/c/batch.c", false));
+    let calls = build("tests/c/no_instructions.c", false);
+    let input = input(&lines::<f32>());
+    let run_by = |word, program| {
+        run_by(word, program, &[], &input).unwrap_or_else(|report| panic!("{word:?}: {report}"))
+    };
+    let expected = run_by(None, &bits);
+    assert_eq!(run_by(Some(""), &bits), expected);
+    let words = [
+        ("portable", Instructions::Portable),
+        ("avx2", Instructions::Avx2),
+        ("avx512", Instructions::Avx512),
+    ];
+    for (word, instructions) in words {
+        if instructions.are_available() {
+            println!("instruction set exercised: {instructions}");
+            assert!(run_by(Some(word), &bits) == expected, "{word} gives other bits");
+            assert_eq!(run_by(Some(word), &batch).trim(), instructions.to_string());
+        } else {
+            run_by(Some(word), &calls);
+        }
+    }
+    for word in ["AVX2", "portable ", "avx1024", "0"] {
+        run_by(Some(word), &calls);
+    }
+}
+
+#[test]
 fn a_recorded_kernel_gives_the_bits_of_the_scalar_one() {
-    let (input, expected) = lines();
-    let output = run_both("tests/c/record.c", &input);
+    let lines_in = lines::<f32>();
+    let output = run_both("tests/c/record.c", &input(&lines_in));
     let counts: Vec<usize> = output.split_whitespace().map(|n| n.parse().expect("a number")).collect();
     let &[lines, sampled, sample, density, sample_ifs, density_ifs] = &counts[..] else {
         panic!("six numbers, not {output}")
     };
-    assert_eq!(lines, expected.len());
-    assert_eq!(sampled, expected.iter().filter(|line| line.starts_with("ok")).count());
+    assert_eq!(lines, lines_in.len());
+    assert_eq!(sampled, lines_in.iter().filter(|line| line.output().starts_with("ok")).count());
     println!("at most {sample} operations and {sample_ifs} conditionals for a sample");
     println!("at most {density} operations and {density_ifs} conditionals for a density");
     // A budget: what is recorded is compiled and run by every user of it.
@@ -517,7 +664,9 @@ fn no_function_can_panic_or_allocate() {
     assert_eq!(functions().iter().filter(|name| may_allocate(name)).count(), 2);
     for name in functions().iter().filter(|name| !may_allocate(name)) {
         for need in needs(&references, &format!(".text.{name}")) {
-            let is_harmless = ["fmaf", "memcpy", "memmove", "memset"].contains(&need.as_str());
+            let is_harmless =
+                ["fmaf", "fma", "memcpy", "memmove", "memset", "memcmp", "bcmp", "strlen", "getenv"]
+                    .contains(&need.as_str());
             assert!(is_harmless || need.contains("std_detect"), "{name} may call {need}");
         }
     }
@@ -541,5 +690,5 @@ fn kernels_for_this_cpu_call_nothing() {
         kernels[kind] += 1;
     }
     let [fused, avx2, avx512] = kernels;
-    assert!(fused >= 6 && avx2 == 4 && avx512 == 4, "the relocations are read wrongly: {kernels:?} kernels");
+    assert!(fused >= 12 && avx2 == 5 && avx512 == 5, "the relocations are read wrongly: {kernels:?} kernels");
 }

@@ -3,8 +3,8 @@
 
 mod common;
 
-use common::{dot, hard_scenes, lanes, neighbours, widen, Random, Scene};
-use spherecap::{density_bound_for_radius, Hemispheres, Sampler, Strategy, Technique};
+use common::{dot, hard_scenes, neighbours, widen, Random, Scene};
+use spherecap::{density_bound_for_radius, Hemispheres, Receiver, Sampler, Strategy, Technique};
 
 /// Solid angle per unit of the square around `u`, by differences of fourth order.
 fn jacobian(sampler: &Sampler<f64>, u: [f64; 2], step: f64) -> f64 {
@@ -33,8 +33,7 @@ fn worst_deviation(technique: Technique, scenes: &[Scene], random: &mut Random) 
     let strategy = Strategy { technique, ..Strategy::default() };
     let (mut worst, mut measured, mut left_out) = (0.0_f64, 0, 0);
     for scene in scenes {
-        let (normal, centre) = (lanes::<f64>(scene.normal), lanes(scene.centre));
-        let Ok(sampler) = Sampler::prepare(strategy, normal, centre, scene.radius) else { continue };
+        let Ok(sampler) = scene.prepare(strategy) else { continue };
         for _ in 0..300 {
             let u = [random.within(0.003, 0.997), random.within(0.003, 0.997)];
             let margin = u.iter().fold(1.0_f64, |m, &x| m.min(x).min(1.0 - x));
@@ -76,8 +75,7 @@ fn single_precision_has_the_density_of_double() {
         let (mut worst, mut worst_plain) = (0.0_f64, 0.0_f64);
         for scene in hard_scenes(&mut random) {
             let single = Strategy { technique, ..Strategy::default() };
-            let (normal, centre) = (lanes::<f32>(scene.normal), lanes(scene.centre));
-            let Ok(single) = Sampler::prepare(single, normal, centre, scene.radius as f32) else { continue };
+            let Ok(single) = scene.prepare::<f32>(single) else { continue };
             let double = scene.sampler::<f64>(Strategy { technique, ..Strategy::default() });
             for i in 0..2000 {
                 // Half of them near the limb.
@@ -100,11 +98,11 @@ fn single_precision_has_the_density_of_double() {
                 let expected = pick(at_same_numbers.solid_angle, at_same_numbers.projected_solid_angle);
                 let error = (got / expected - 1.0).abs();
                 let offset = widen(sample.offset);
-                let at = double.pdf_on_sphere(offset).projected_solid_angle;
+                let at = double.pdf_in_cap(offset).projected_solid_angle;
                 let mut resolution = 0.0_f64;
                 if technique == Technique::ProjectedBounded {
                     for other in neighbours(&double, technique, offset, f64::from(f32::EPSILON)) {
-                        let other = double.pdf_on_sphere(other).projected_solid_angle;
+                        let other = double.pdf_in_cap(other).projected_solid_angle;
                         resolution = resolution.max((other / at - 1.0).abs());
                     }
                 }
@@ -130,7 +128,8 @@ fn bounded(s: f64, kappa: f64) -> Sampler<f64> {
     let centre = [((1.0 - z) * (1.0 + z)).sqrt(), 0.0, z];
     let strategy =
         Strategy { technique: Technique::ProjectedBounded, hemispheres: Hemispheres::Front, defensive: 0.0 };
-    Sampler::prepare(strategy, [0.0, 0.0, 1.0], centre, s).expect("a cap in case 3")
+    let receiver = Receiver { normal: [0.0, 0.0, 1.0].into(), strategy };
+    Sampler::prepare(receiver, centre, s).expect("a cap in case 3")
 }
 
 /// Equation (4), and that it is at most the bound for all caps of the radius.

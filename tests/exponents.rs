@@ -3,8 +3,8 @@
 
 mod common;
 
-use common::{dot, lanes, Scene};
-use spherecap::{Cap, Refusal, Sampler, Strategy};
+use common::{dot, Scene};
+use spherecap::{Cap, Refusal, Strategy};
 
 /// Below `s^2 = MIN_POSITIVE / EPSILON` (`cap.rs`) differences of `s^2` underflow: such a sphere lights nothing.
 const SMALLEST: f64 = 3.15e-16;
@@ -41,10 +41,9 @@ fn every_ratio_of_radius_to_distance_at_every_scale() {
             if scene.radius == 0.0 || s >= 1.0 {
                 continue;
             }
-            let exact = Cap::new(lanes::<f64>(scene.normal), lanes(scene.centre), scene.radius);
+            let exact = Cap::new(scene.normal, scene.centre, scene.radius);
             let exact = exact.projected_solid_angle();
-            let (normal, centre) = (lanes::<f32>(scene.normal), lanes(scene.centre));
-            let sampler = match Sampler::prepare(Strategy::default(), normal, centre, scene.radius as f32) {
+            let sampler = match scene.prepare::<f32>(Strategy::default()) {
                 Ok(sampler) => sampler,
                 Err(Refusal::Invisible) if s < SMALLEST || exact < SMALLEST_AREA => {
                     refused += 1;

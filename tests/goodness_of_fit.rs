@@ -5,7 +5,7 @@
 mod common;
 
 use common::quadrature::{chi_square_deviate, Cells, CrescentCells, QUADRATURE};
-use common::{dot, hard_scenes, lanes, oblique, strategies, Random, Scene};
+use common::{dot, hard_scenes, oblique, strategies, Random, Scene};
 use spherecap::{Hemispheres, Offset, Refusal, Sampler, Strategy, Technique};
 
 const SAMPLES: usize = 50_000;
@@ -45,8 +45,7 @@ fn scenes(random: &mut Random) -> Vec<Scene> {
 
 /// What the f32 sampler of this strategy is tested against: `None` where there is nothing to sample.
 fn samplers(strategy: Strategy<f32>, scene: &Scene) -> Option<(Sampler<f32>, Sampler<f64>)> {
-    let (normal, centre) = (lanes::<f32>(scene.normal), lanes(scene.centre));
-    match Sampler::prepare(strategy, normal, centre, scene.radius as f32) {
+    match scene.prepare(strategy) {
         Ok(sampler) => Some((sampler, scene.sampler(in_f64(strategy)))),
         Err(Refusal::Invisible) => None,
         Err(refusal) => panic!("{strategy:?} {scene:?}: {refusal}"),

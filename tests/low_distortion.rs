@@ -4,12 +4,13 @@
 mod common;
 
 use common::TECHNIQUES;
-use spherecap::{Hemispheres, Offset, Sampler, Strategy, Technique};
+use spherecap::{Hemispheres, Offset, Receiver, Sampler, Strategy, Technique};
 
 fn sampler(technique: Technique, s: f64, z: f64) -> Sampler<f64> {
     let x = ((1.0 - z) * (1.0 + z)).sqrt();
     let strategy = Strategy { technique, hemispheres: Hemispheres::Front, defensive: 0.0 };
-    Sampler::prepare(strategy, [0.0, 0.0, 1.0], [x, 0.0, z], s).expect("it is above the horizon")
+    let receiver = Receiver { normal: [0.0, 0.0, 1.0].into(), strategy };
+    Sampler::prepare(receiver, [x, 0.0, z], s).expect("it is above the horizon")
 }
 
 fn distance(a: Offset<f64>, b: Offset<f64>, s: f64) -> f64 {

@@ -2,8 +2,10 @@
 
 mod common;
 
-use common::{dot, hard_scenes, lanes, neighbours, oblique, strategies, widen, Random, Scene, RADII};
-use spherecap::{Cap, Density, Hemispheres, Offset, Refusal, Sample, Sampler, Scalar, Strategy, Technique};
+use common::{dot, hard_scenes, neighbours, oblique, strategies, widen, Random, Scene, RADII};
+use spherecap::{
+    Cap, Density, Hemispheres, Offset, Receiver, Refusal, Sample, Sampler, Scalar, Strategy, Technique,
+};
 
 /// Random numbers, and the corners of the unit square: both ends, and the last number below one.
 fn numbers<F: Scalar>(random: &mut Random) -> Vec<[F; 2]> {
@@ -26,8 +28,7 @@ fn each_sample<F: Scalar>(check: impl Fn(&Scene, Strategy<F>, &Sampler<F>, [F; 2
                 let length = dot(scene.normal, scene.normal).sqrt().max(F::MIN_POSITIVE);
                 scene.normal = scene.normal.map(|x| x / length);
             }
-            let radius = F::lit(scene.radius);
-            match Sampler::prepare(strategy, lanes::<F>(scene.normal), lanes(scene.centre), radius) {
+            match scene.prepare(strategy) {
                 Err(Refusal::Invisible) => {}
                 Err(refusal) => panic!("{strategy:?} {scene:?}: {refusal}"),
                 Ok(sampler) => {
@@ -65,6 +66,7 @@ in_both_precisions!(
     inverting_a_sample_gives_its_numbers
     sampling_the_inverse_gives_the_sample
     no_unit_of_length_is_preferred
+    normals_have_any_length
 );
 
 /// Bit for bit; and a density is finite and positive wherever a sample can fall.
@@ -72,7 +74,7 @@ fn the_pdf_of_a_sample_is_the_one_it_reports<F: Scalar>() {
     each_sample::<F>(|scene, strategy, sampler, u, sample| {
         let asked = sampler.pdf(sample.offset);
         assert!(asked == sample.density, "{strategy:?} {scene:?} {u:?}: {asked:?} is not {sample:?}");
-        assert!(sampler.pdf_on_sphere(sample.offset) == sample.density, "{strategy:?} {scene:?} {u:?}");
+        assert!(sampler.pdf_in_cap(sample.offset) == sample.density, "{strategy:?} {scene:?} {u:?}");
         for density in [sample.density.solid_angle, sample.density.projected_solid_angle] {
             let density: f64 = density.into();
             assert!(density > 0.0 && density <= F::MAX, "{strategy:?} {scene:?} {u:?}: {sample:?}");
@@ -166,8 +168,10 @@ fn direction_forms_resolve_a_few_epsilon<F: Scalar>() {
             && strategy.hemispheres == Hemispheres::Front
             && strategy.defensive == F::lit(0.0);
         if is_plain && exact.cosine > 2.0 * resolution {
-            let [density, expected]: [f64; 2] =
-                [sampler.pdf_on_sphere(recovered).solid_angle.into(), sample.density.solid_angle.into()];
+            let [density, expected]: [f64; 2] = [
+                sampler.pdf_on_sphere(sample.direction).solid_angle.into(),
+                sample.density.solid_angle.into(),
+            ];
             let error = (density / expected - 1.0).abs();
             assert!(
                 error < 2.0 * F::EPSILON + resolution / exact.cosine,
@@ -270,19 +274,55 @@ fn sampling_the_inverse_gives_the_sample<F: Scalar>() {
     });
 }
 
+/// Which is why a cosine is to be taken from the offset: of a sphere whose top is one rounding above the floor most directions,
+/// rounded, point below it.
+#[test]
+fn rounded_directions_dip_below_the_horizon_and_cosines_do_not() {
+    let top = f64::from(f32::EPSILON) / 4.0; // the rounding of a height just below 0.5
+    let scene = Scene { normal: [0.0, 0.0, 1.0], centre: [1.3, 0.0, top - 0.5], radius: 0.5 };
+    let sampler = scene.sampler::<f32>(Strategy::default());
+    let mut random = Random(14);
+    let mut below = 0;
+    for _ in 0..10_000 {
+        let sample = sampler.sample(random.unit() as f32, random.unit() as f32);
+        assert!(sample.offset.cosine > 0.0);
+        below += usize::from(sample.direction.z < 0.0);
+    }
+    println!("{below} of 10000 directions are below the horizon");
+    assert!(below > 5000, "{below}");
+}
+
+/// A normal says the same whatever its length: to the roundings of its division by it, and for lengths that differ by a power of
+/// two to the bit.
+fn normals_have_any_length<F: Scalar>() {
+    let mut random = Random(13);
+    for _ in 0..100 {
+        let scene = oblique(&mut random, 0.5, 0.1);
+        let length = dot(scene.normal, scene.normal).sqrt();
+        let with = |factor: f64| {
+            let normal = scene.normal.map(|x| x / length * factor);
+            Scene { normal, ..scene }.sampler::<F>(Strategy::default())
+        };
+        let expected: f64 = with(1.0).cap().projected_solid_angle().into();
+        for factor in [0.7, 1.01, 3.0, 0.1 * F::MAX, F::MIN_POSITIVE / F::EPSILON] {
+            let [one, half] =
+                [with(factor), with(0.5 * factor)].map(|sampler| sampler.sample(F::lit(0.3), F::lit(0.6)));
+            assert_eq!(one, half, "{scene:?} {factor:e}");
+            let found: f64 = with(factor).cap().projected_solid_angle().into();
+            assert!(
+                (found / expected - 1.0).abs() < 32.0 * F::EPSILON,
+                "{scene:?} {factor:e}: {found} {expected}"
+            );
+        }
+    }
+}
+
 /// A power of two as unit of length changes no bit of a direction, over the range of the type.
 fn no_unit_of_length_is_preferred<F: Scalar>() {
     let mut random = Random(12);
     let largest: f64 = if F::SIGNIFICAND_BITS == 23 { 100.0 } else { 900.0 };
     for scene in hard_scenes(&mut random) {
-        let Ok(sampler) = Sampler::prepare(
-            Strategy::default(),
-            lanes::<F>(scene.normal),
-            lanes(scene.centre),
-            F::lit(scene.radius),
-        ) else {
-            continue;
-        };
+        let Ok(sampler) = scene.prepare::<F>(Strategy::default()) else { continue };
         for exponent in [-0.9 * largest, -60.0, 60.0, largest] {
             let unit = exponent.round().exp2();
             let radius = scene.radius * unit;
@@ -291,13 +331,8 @@ fn no_unit_of_length_is_preferred<F: Scalar>() {
             if !(is_exact(radius) && scene.centre.iter().all(|x| is_exact(x * unit))) {
                 continue;
             }
-            let scaled = Sampler::prepare(
-                Strategy::default(),
-                lanes::<F>(scene.normal),
-                lanes(scene.centre.map(|x| x * unit)),
-                F::lit(radius),
-            )
-            .unwrap_or_else(|refusal| panic!("{scene:?} times {unit:e}: {refusal}"));
+            let scaled = Scene { centre: scene.centre.map(|x| x * unit), radius, ..scene };
+            let scaled = scaled.sampler::<F>(Strategy::default());
             for u in numbers(&mut random) {
                 let (a, b) = (sampler.sample(u[0], u[1]), scaled.sample(u[0], u[1]));
                 assert!(a.offset == b.offset && a.density == b.density, "{scene:?} times {unit:e}, {u:?}");
@@ -314,7 +349,7 @@ fn an_empty_cap_gives_no_density<F: Scalar>() {
     for strategy in strategies::<F>() {
         for (height, radius) in [(-2.0, 1.0), (0.5, 1.0), (1.0, 1.0), (0.0, 1.0), (1.0, F::MIN_POSITIVE)] {
             let (zero, one) = (F::lit(0.0), F::lit(1.0));
-            let cap = Cap::new([zero, zero, one].into(), [zero, zero, F::lit(height)].into(), F::lit(radius));
+            let cap = Cap::new([zero, zero, one], [zero, zero, F::lit(height)], F::lit(radius));
             let sampler = Sampler::new(cap, strategy);
             let sample = sampler.sample(F::lit(0.5), F::lit(0.3));
             if sampler.is_empty() {
@@ -341,7 +376,7 @@ fn points_inside_are_refused() {
                 continue;
             }
             let radius = if factor == 0.0 { 1.0 } else { radius };
-            let refusal = Sampler::prepare(Strategy::default(), [0.0, 0.0, 1.0], centre, radius).err();
+            let refusal = Sampler::prepare(Receiver::new([0.0, 0.0, 1.0]), centre, radius).err();
             let expected = if factor == 0.0 { Refusal::Centre } else { Refusal::Inside };
             assert_eq!(refusal, Some(expected), "{centre:?} {radius}");
         }

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{dot, lanes, reference_caps, rows, Scene};
-use spherecap::{Cap, Hemispheres, Offset, Refusal, Sampler, Scalar, Strategy, Technique};
+use spherecap::{Cap, Hemispheres, Offset, Refusal, Scalar, Strategy, Technique};
 use std::collections::BTreeMap;
 
 /// Worst relative error per group, printed and compared with a bound.
@@ -37,12 +37,11 @@ fn check_caps<F: Scalar>(title: &str, bound: f64) {
     assert_eq!(caps.len(), 400, "tests/data/caps.csv is not whole");
     for row in caps {
         let Scene { normal, centre, radius } = row.scene;
-        let cap = Cap::new(lanes::<F>(normal), lanes(centre), F::lit(radius));
+        let cap = Cap::new(lanes::<F>(normal), lanes::<F>(centre), F::lit(radius));
         let (got, expected): (f64, f64) = (cap.projected_solid_angle().into(), row.projected_solid_angle);
         if expected == 0.0 {
             assert_eq!(got, 0.0, "row {} is wholly below the horizon", row.id);
-            let strategy = Strategy::default();
-            let refusal = Sampler::prepare(strategy, lanes::<F>(normal), lanes(centre), F::lit(radius)).err();
+            let refusal = row.scene.prepare::<F>(Strategy::default()).err();
             assert_eq!(refusal, Some(Refusal::Invisible), "row {}", row.id);
         } else {
             projected.add(&format!("{}, case {}", row.group, row.case), (got / expected - 1.0).abs());

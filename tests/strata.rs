@@ -4,10 +4,10 @@
 mod common;
 
 use common::strata::{scene, STRATA};
-use common::{dot, lanes, neighbours, widen, Random, Scene, TECHNIQUES};
+use common::{dot, neighbours, widen, Random, Scene, TECHNIQUES};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use spherecap::{Cap, Hemispheres, Refusal, Sampler, Strategy, Technique};
+use spherecap::{Cap, Hemispheres, Refusal, Strategy, Technique};
 
 /// What the f32 kernel may be off by because of what it knows of the centre's height: with an oblique normal 2^-48 of the
 /// distance for the dot product's second part and as much for its use, so 2^-47/s of the radius. The crescent's area goes with
@@ -58,10 +58,7 @@ fn float() -> impl Strategy_<Value = f32> {
 fn check(scene: &Scene, technique: Technique, u: [f32; 2]) -> Result<(), TestCaseError> {
     let single = Strategy { technique, hemispheres: Hemispheres::Front, defensive: 0.0_f32 };
     let double = Strategy { technique, hemispheres: Hemispheres::Front, defensive: 0.0_f64 };
-    let (normal, centre) = (lanes::<f32>(scene.normal), lanes(scene.centre));
-    let exact = Sampler::prepare(double, lanes::<f64>(scene.normal), lanes(scene.centre), scene.radius);
-    let sampler = Sampler::prepare(single, normal, centre, scene.radius as f32);
-    let (sampler, exact) = match (sampler, exact) {
+    let (sampler, exact) = match (scene.prepare(single), scene.prepare(double)) {
         (Ok(sampler), Ok(exact)) => (sampler, exact),
         // f32 may not see what has set to within its knowledge of the height, or what is too small for its range.
         (Err(Refusal::Invisible), Ok(exact)) => {

@@ -34,7 +34,7 @@ fn errors(prepared: &Prepared, u: [f32; 2]) -> [f64; 4] {
     let [e0, e1] = prepared.exact_numbers([u0, u1]);
     let exact = prepared.exact.sample(e0, e1);
     let position = distance(place, exact.offset) / s;
-    let density = (density / prepared.exact.pdf_on_sphere(place).solid_angle - 1.0).abs();
+    let density = (density / prepared.exact.pdf_in_cap(place).solid_angle - 1.0).abs();
     let [v0, v1] = match (prepared.single(), offset) {
         (Some(single), Some(offset)) => single.invert(offset).map(f64::from),
         _ => prepared.exact_numbers(prepared.exact.invert(place)),

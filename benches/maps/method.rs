@@ -2,7 +2,7 @@
 
 use crate::published::Published;
 use crate::scenes::Scene;
-use spherecap::{Hemispheres, Offset, Sampler, Scalar, Strategy, Technique, Vec3};
+use spherecap::{Hemispheres, Offset, Receiver, Sampler, Scalar, Strategy, Technique, Vec3};
 
 #[derive(Clone, Copy, PartialEq)]
 pub enum Method {
@@ -38,7 +38,8 @@ enum Single {
 fn sampler<F: Scalar>(technique: Technique, scene: &Scene) -> Option<Sampler<F>> {
     let lane = |v: [f32; 3]| Vec3::from(v.map(|x| F::lit(x.into())));
     let strategy = Strategy { technique, hemispheres: Hemispheres::Front, defensive: F::lit(0.0) };
-    Sampler::prepare(strategy, lane(scene.normal), lane(scene.centre), F::lit(scene.radius.into())).ok()
+    let receiver = Receiver { normal: lane(scene.normal), strategy };
+    Sampler::prepare(receiver, lane(scene.centre), F::lit(scene.radius.into())).ok()
 }
 
 impl Prepared {
@@ -93,7 +94,7 @@ impl Prepared {
     /// The offset of a direction that was rounded to f32, made of unit length again; NaN where it is not finite.
     pub fn exact_offset(&self, direction: [f64; 3]) -> Offset<f64> {
         let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-        self.exact.offset(Vec3::from(direction.map(|x| x / length)))
+        self.exact.offset(direction.map(|x| x / length))
     }
 }
 

@@ -206,13 +206,11 @@ mod tests {
     use super::*;
     use crate::disk::exhaustive;
     use crate::sampling::{Sampler, Strategy};
-    use crate::vec3::Vec3;
 
     fn sampler<L: Lane>(s: f64, kappa: f64) -> Sampler<L> {
         let (z, lit) = (-kappa * s, L::lit);
         let x = ((1.0 - z) * (1.0 + z)).sqrt();
-        let cap =
-            Cap::new(Vec3::new(lit(0.0), lit(0.0), lit(1.0)), Vec3::new(lit(x), lit(0.0), lit(z)), lit(s));
+        let cap = Cap::new([lit(0.0), lit(0.0), lit(1.0)], [lit(x), lit(0.0), lit(z)], lit(s));
         Sampler::new(cap, Strategy::default())
     }
 

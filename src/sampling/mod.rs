@@ -22,6 +22,7 @@ use crate::disk::{
 };
 use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
+use crate::prepare::is_unit;
 use crate::vec3::Vec3;
 use core::f64::consts::PI;
 use crescent::Slice;
@@ -31,12 +32,13 @@ pub use bounded::density_bound_for_radius;
 /// How directions are distributed.
 ///
 /// ```
-/// use spherecap::{Sampler, Strategy, Technique};
+/// use spherecap::{Receiver, Sampler, Strategy, Technique};
 ///
 /// // How much the weights of a diffuse surface's samples can differ where the horizon cuts a light.
 /// let bound = |technique| {
 ///     let strategy = Strategy { technique, ..Strategy::default() };
-///     let sampler = Sampler::<f64>::prepare(strategy, [0.0, 0.0, 1.0], [2.0, 0.0, -0.5], 1.0);
+///     let receiver = Receiver { normal: [0.0, 0.0, 1.0].into(), strategy };
+///     let sampler = Sampler::<f64>::prepare(receiver, [2.0, 0.0, -0.5], 1.0);
 ///     sampler.map(|sampler| sampler.density_bound())
 /// };
 /// assert_eq!(bound(Technique::SolidAngle)?, f64::INFINITY);
@@ -47,23 +49,24 @@ pub use bounded::density_bound_for_radius;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum Technique {
-    /// Uniform in solid angle over the whole cap, also where it is below the horizon: the usual way, and the baseline.
-    SolidAngle = 0,
+    /// Uniform in projected solid angle in every case: the density is constant to within 1e-5.
+    Projected = 0,
     /// Uniform in projected solid angle where the sphere's centre is above the horizon; below it the warp of Peters and
     /// Dachsbacher 2019, whose density varies by a bounded factor ([`Sampler::density_bound`]).
     ProjectedBounded = 1,
-    /// Uniform in projected solid angle in every case: the density is constant to within 1e-5.
-    Projected = 2,
+    /// Uniform in solid angle over the whole cap, also where it is below the horizon: the usual way, and the baseline.
+    SolidAngle = 2,
 }
 
 /// Which sides of the surface the projected techniques cover.
 ///
 /// ```
-/// use spherecap::{Hemispheres, Sampler, Strategy};
+/// use spherecap::{Hemispheres, Receiver, Sampler, Strategy};
 ///
 /// let goes_below = |hemispheres| {
 ///     let strategy = Strategy { hemispheres, ..Strategy::default() };
-///     let sampler = Sampler::<f32>::prepare(strategy, [0.0, 0.0, 1.0], [2.0, 0.0, 0.1], 1.0);
+///     let receiver = Receiver { normal: [0.0, 0.0, 1.0].into(), strategy };
+///     let sampler = Sampler::<f32>::prepare(receiver, [2.0, 0.0, 0.1], 1.0);
 ///     sampler.map(|sampler| (0..8).any(|i| sampler.sample(i as f32 / 8.0, 0.5).offset.cosine < 0.0))
 /// };
 /// assert_eq!([goes_below(Hemispheres::Front)?, goes_below(Hemispheres::Both)?], [false, true]);
@@ -105,12 +108,50 @@ impl<L: Lane> Default for Strategy<L> {
     }
 }
 
+/// What receives the light: a surface, or a point on none, and how its light is sampled. Whoever asks for a density, as
+/// multiple importance sampling does, must ask with the receiver that samples: so carry it along.
+///
+/// ```
+/// use spherecap::{Receiver, Sampler, Strategy};
+///
+/// let floor = Receiver::new([0.0, 0.0, 1.0]);
+/// let bumpy_floor = Receiver { strategy: Strategy { defensive: 0.125, ..floor.strategy }, ..floor };
+/// // Normals have any length but zero, which says that there is no surface: transformed ones need not be normalised.
+/// let stretched = Receiver::new([0.0, 0.0, 7.0_f32]);
+/// let sample = |receiver| Sampler::prepare(receiver, [3.0, 0.0, 0.5], 1.0).map(|s| s.sample(0.25, 0.75));
+/// assert_eq!(sample(stretched)?, sample(floor)?);
+/// assert!(sample(bumpy_floor)? != sample(floor)?);
+/// # Ok::<(), spherecap::Refusal>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Receiver<L> {
+    /// Normal of the surface on the side to be lit, of any finite length; or exactly zero for a point on no surface, as in a
+    /// medium: then sampling is by solid angle. One that is of unit length to single precision is used as it stands.
+    pub normal: Vec3<L>,
+    /// What its light is sampled with.
+    pub strategy: Strategy<L>,
+}
+
+impl<L: Lane> Receiver<L> {
+    /// One with this normal and the default strategy.
+    ///
+    /// ```
+    /// # use spherecap::{Receiver, Strategy};
+    /// let receiver = Receiver::<f64>::new([0.0, 0.6, 0.8]);
+    /// assert_eq!(receiver.strategy, Strategy::default());
+    /// ```
+    #[inline(always)]
+    pub fn new(normal: impl Into<[L; 3]>) -> Self {
+        Self { normal: normal.into().into(), strategy: Strategy::default() }
+    }
+}
+
 /// A probability density in two measures.
 ///
 /// ```
-/// use spherecap::{Density, Sampler, Strategy};
+/// use spherecap::{Density, Receiver, Sampler};
 ///
-/// let sampler = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 0.0, 0.5], 1.0)?;
+/// let sampler = Sampler::<f64>::prepare(Receiver::new([0.0, 0.0, 1.0]), [2.0, 0.0, 0.5], 1.0)?;
 /// let sample = sampler.sample(0.3, 0.6);
 /// let Density { solid_angle, projected_solid_angle } = sample.density;
 /// assert!((solid_angle / projected_solid_angle - sample.offset.cosine).abs() < 1e-14);
@@ -125,18 +166,33 @@ pub struct Density<L> {
     pub projected_solid_angle: L,
 }
 
+impl<L: Lane> Density<L> {
+    /// The same where the mask is true, zero elsewhere.
+    #[inline(always)]
+    pub(crate) fn where_true(self, mask: L::Mask) -> Self {
+        let zero = L::lit(0.0);
+        Self {
+            solid_angle: L::select(mask, self.solid_angle, zero),
+            projected_solid_angle: L::select(mask, self.projected_solid_angle, zero),
+        }
+    }
+}
+
 /// A sampled direction and where it meets the sphere.
 ///
 /// ```
-/// use spherecap::{Sample, Sampler, Strategy};
+/// use spherecap::{Receiver, Sample, Sampler};
 ///
 /// let (centre, radius) = ([2.0, 0.0, 0.5], 1.0);
-/// let sampler = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], centre, radius)?;
+/// let sampler = Sampler::<f64>::prepare(Receiver::new([0.0, 0.0, 1.0]), centre, radius)?;
 /// let Sample { direction, distance, normal, .. } = sampler.sample(0.3, 0.6);
 /// // The point on the light, in two ways.
 /// let along_the_ray = direction.x * distance;
 /// let on_the_sphere = centre[0] + radius * normal.x;
 /// assert!((along_the_ray - on_the_sphere).abs() < 1e-14);
+/// // As an array, from which every library of vectors makes its own.
+/// let [x, y, z] = direction.into();
+/// assert!((x * x + y * y + z * z - 1.0_f64).abs() < 1e-14);
 /// # Ok::<(), spherecap::Refusal>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -157,9 +213,9 @@ pub struct Sample<L> {
 /// A cap prepared for sampling with one [`Strategy`]. Plain data.
 ///
 /// ```
-/// use spherecap::{Sampler, Strategy};
+/// use spherecap::{Receiver, Sampler};
 ///
-/// let sampler = Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 1.0, 0.5], 1.0)?;
+/// let sampler = Sampler::<f32>::prepare(Receiver::new([0.0, 0.0, 1.0]), [2.0, 1.0, 0.5], 1.0)?;
 /// // Every sample estimates the same irradiance: there is no noise.
 /// for i in 0..4 {
 ///     let sample = sampler.sample(0.25 * i as f32 + 0.1, 0.3);
@@ -171,8 +227,8 @@ pub struct Sample<L> {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Sampler<L> {
-    technique: Technique,
-    hemispheres: Hemispheres,
+    pub(crate) technique: Technique,
+    pub(crate) hemispheres: Hemispheres,
     cap: Cap<L>,
     /// Probability of the solid-angle part: 0 or 1 where only one part exists.
     defensive: L,
@@ -191,9 +247,9 @@ impl<L: Lane> Sampler<L> {
     /// Prepares a cap for sampling.
     ///
     /// ```
-    /// # use spherecap::{Cap, Sampler, Strategy, Vec3};
+    /// # use spherecap::{Cap, Sampler, Strategy};
     /// // Total: where there is nothing to sample, it says so.
-    /// let cap = Cap::<f32>::new(Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, 0.0, -2.0), 1.0);
+    /// let cap = Cap::<f32>::new([0.0, 0.0, 1.0], [0.0, 0.0, -2.0], 1.0);
     /// let sampler = Sampler::new(cap, Strategy::default());
     /// assert!(sampler.is_empty());
     /// ```
@@ -271,7 +327,8 @@ impl<L: Lane> Sampler<L> {
     }
 
     /// A direction for two random numbers in \[0, 1\]. The ends are allowed: numbers are moved inwards by half the
-    /// precision's epsilon where they would give a direction on the horizon, whose density is zero.
+    /// precision's epsilon where they would give a direction on the horizon, whose density is zero. A number outside is taken
+    /// for the nearer end, and NaN for 0.
     ///
     /// The map is continuous for each part of a mixture. An empty cap gives density 0 and an arbitrary direction.
     #[inline(always)]
@@ -284,7 +341,7 @@ impl<L: Lane> Sampler<L> {
             }
             _ => self.sample_mixture(u0, u1),
         };
-        let density = self.pdf_on_sphere(offset);
+        let density = self.pdf_in_cap(offset);
         let (direction, distance, normal) = self.cap.hit(offset);
         Sample { offset, direction, distance, normal, density }
     }
@@ -373,35 +430,63 @@ impl<L: Lane> Sampler<L> {
     /// offset that [`Sampler::sample`] returned: the very bits it returned as density.
     ///
     /// ```
-    /// # use spherecap::{Sampler, Strategy};
-    /// let sampler = Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 1.0, 0.5], 1.0)?;
+    /// # use spherecap::{Receiver, Sampler};
+    /// let sampler = Sampler::<f32>::prepare(Receiver::new([0.0, 0.0, 1.0]), [2.0, 1.0, 0.5], 1.0)?;
     /// let sample = sampler.sample(0.3, 0.6);
     /// assert_eq!(sampler.pdf(sample.offset), sample.density);
-    /// // A direction from elsewhere: from a BSDF, say.
-    /// assert_eq!(sampler.pdf(sampler.offset([0.0, 0.0, 1.0].into())).solid_angle, 0.0);
     /// # Ok::<(), spherecap::Refusal>(())
     /// ```
     #[inline(always)]
     pub fn pdf(&self, offset: Offset<L>) -> Density<L> {
-        let Density { solid_angle, projected_solid_angle } = self.pdf_on_sphere(offset);
-        let inside = self.cap.contains(offset);
-        let or_zero = |x: L| L::select(inside, x, L::lit(0.0));
-        Density { solid_angle: or_zero(solid_angle), projected_solid_angle: or_zero(projected_solid_angle) }
+        self.pdf_in_cap(offset).where_true(self.cap.contains(offset))
     }
 
-    /// As [`Sampler::pdf`], for an offset that is known to lie in the cap: only the horizon is tested, so that a
-    /// direction towards a point of the sphere does not lose its density to rounding.
+    /// Density of a unit direction; zero outside the cap, and where it is not of unit length to within
+    /// [`UNIT_TOLERANCE`](crate::UNIT_TOLERANCE). To the precision of [`Sampler::offset`]: where you have the offset, ask
+    /// [`Sampler::pdf`].
     ///
     /// ```
-    /// # use spherecap::{Sampler, Strategy};
-    /// # let sampler = Sampler::<f32>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 1.0, 0.5], 1.0)?;
-    /// // For multiple importance sampling: a ray has hit the light in this direction.
-    /// let direction = sampler.sample(0.0, 0.5).direction;
-    /// assert!(sampler.pdf_on_sphere(sampler.offset(direction)).solid_angle > 0.0);
+    /// # use spherecap::{Receiver, Sampler};
+    /// let sampler = Sampler::<f32>::prepare(Receiver::new([0.0, 0.0, 1.0]), [2.0, 1.0, 0.5], 1.0)?;
+    /// // Directions from elsewhere: from a BSDF, say.
+    /// assert!(sampler.pdf_direction([0.8, 0.48, 0.36]).solid_angle > 0.0);
+    /// assert_eq!(sampler.pdf_direction([0.0, 0.0, 1.0]).solid_angle, 0.0);
     /// # Ok::<(), spherecap::Refusal>(())
     /// ```
     #[inline(always)]
-    pub fn pdf_on_sphere(&self, offset: Offset<L>) -> Density<L> {
+    pub fn pdf_direction(&self, direction: impl Into<[L; 3]>) -> Density<L> {
+        let direction = Vec3::from(direction.into());
+        self.pdf(self.offset(direction)).where_true(is_unit(direction))
+    }
+
+    /// As [`Sampler::pdf_direction`], for a direction that is known to point at the sphere (a ray has hit it): only the horizon
+    /// is tested, so that rounding near the limb does not lose the density.
+    ///
+    /// ```
+    /// # use spherecap::{Receiver, Sampler};
+    /// # let sampler = Sampler::<f32>::prepare(Receiver::new([0.0, 0.0, 1.0]), [2.0, 1.0, 0.5], 1.0)?;
+    /// // For multiple importance sampling: a ray has hit the light in this direction.
+    /// let direction = sampler.sample(0.0, 0.5).direction;
+    /// assert!(sampler.pdf_on_sphere(direction).solid_angle > 0.0);
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
+    #[inline(always)]
+    pub fn pdf_on_sphere(&self, direction: impl Into<[L; 3]>) -> Density<L> {
+        let direction = Vec3::from(direction.into());
+        self.pdf_in_cap(self.offset(direction)).where_true(is_unit(direction))
+    }
+
+    /// As [`Sampler::pdf`], for an offset that is known to lie in the cap: only the horizon is tested.
+    ///
+    /// ```
+    /// # use spherecap::{Receiver, Sampler};
+    /// # let sampler = Sampler::<f32>::prepare(Receiver::new([0.0, 0.0, 1.0]), [2.0, 1.0, 0.5], 1.0)?;
+    /// let sample = sampler.sample(0.3, 0.6);
+    /// assert_eq!(sampler.pdf_in_cap(sample.offset), sample.density);
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
+    #[inline(always)]
+    pub fn pdf_in_cap(&self, offset: Offset<L>) -> Density<L> {
         let zero = L::lit(0.0);
         let cap = &self.cap;
         // An empty cap's samples may have none, and the density 0 yet.
@@ -472,8 +557,8 @@ impl<L: Lane> Sampler<L> {
     /// ellipse (small Z/s), and on spheres nearly touched (`v` and `|Z|` both small). `tests/properties.rs` has the bound.
     ///
     /// ```
-    /// # use spherecap::{Sampler, Strategy};
-    /// let sampler = Sampler::<f64>::prepare(Strategy::default(), [0.0, 0.0, 1.0], [2.0, 1.0, 0.5], 1.0)?;
+    /// # use spherecap::{Receiver, Sampler};
+    /// let sampler = Sampler::<f64>::prepare(Receiver::new([0.0, 0.0, 1.0]), [2.0, 1.0, 0.5], 1.0)?;
     /// let [u0, u1] = sampler.invert(sampler.sample(0.3, 0.6).offset);
     /// assert!((u0 - 0.3).abs() < 1e-12 && (u1 - 0.6).abs() < 1e-12);
     /// # Ok::<(), spherecap::Refusal>(())
@@ -541,8 +626,8 @@ impl<L: Lane> Sampler<L> {
     /// over `v`. A density by solid angle is as good as that over the cosine. Directions away from the sphere give an offset
     /// outside the cap.
     #[inline(always)]
-    pub fn offset(&self, direction: Vec3<L>) -> Offset<L> {
-        self.cap.offset(direction)
+    pub fn offset(&self, direction: impl Into<[L; 3]>) -> Offset<L> {
+        self.cap.offset(direction.into().into())
     }
 }
 

@@ -9,11 +9,14 @@
 
 enum { MOST = 40 };
 
+static const float zenith[3] = {0.0f, 0.0f, 1.0f}, zenith_of_two[3] = {0.0f, 0.0f, 2.0f};
+
 // Arrays of `count` numbers, each just before an inaccessible page.
 typedef struct arrays_t {
     size_t count;
     float *inputs[15];  // normal, centre, radius, u0, u1, offset, direction
-    float *outputs[18]; // of a sample: offset, direction, distance, normal, density; three more densities
+    float *outputs[20]; // of a sample: offset, direction, distance, normal, density; three more densities;
+                        // measures
 } arrays_t;
 
 static arrays_t arrays; // of the largest size: smaller ones are their ends
@@ -30,7 +33,7 @@ static void allocate(void) {
     for (int i = 0; i < 15; ++i) {
         arrays.inputs[i] = (float *)guarded_memory(MOST * sizeof(float));
     }
-    for (int i = 0; i < 18; ++i) {
+    for (int i = 0; i < 20; ++i) {
         arrays.outputs[i] = (float *)guarded_memory(MOST * sizeof(float));
     }
 }
@@ -41,23 +44,27 @@ static void put(int first, size_t i, const float *numbers, int count) {
     }
 }
 
-// Lights of all sizes, some below the horizon; every seventh input is bad.
+// Lights of all sizes, some below the horizon; of every eleven inputs some are bad, each in its own way.
 static void fill(void) {
     for (size_t i = 0; i < MOST; ++i) {
         const float slope = 0.3f * unit_number();
-        const float normal[3] = {slope, 0.0f, sqrtf(1.0f - slope * slope)};
+        const float length = i % 5 == 0 ? 3.0f : 1.0f;
+        const float normal[3] = {length * slope, i % 11 == 1 ? INFINITY : 0.0f,
+                                 length * sqrtf(1.0f - slope * slope)};
         const float centre[3] = {2.0f + unit_number(), unit_number(), 2.0f * unit_number() - 1.0f};
-        const float radius = i % 7 == 3 ? NAN : 0.01f + 1.9f * unit_number();
-        const float u[2] = {unit_number(), i % 7 == 5 ? 2.0f : unit_number()};
+        const float radius = i % 11 == 3 ? NAN : 0.01f + 1.9f * unit_number();
+        const float u[2] = {unit_number(), i % 11 == 5 ? 2.0f : unit_number()};
         put(0, i, normal, 3);
         put(3, i, centre, 3);
         put(6, i, &radius, 1);
         put(7, i, u, 2);
-        spherecap_cap_t cap;
+        spherecap_sampler_t sampler;
         spherecap_sample_t sample;
-        (void)spherecap_prepare(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f, normal,
-                                centre, radius, &cap);
-        (void)spherecap_sample(&cap, u[0], u[0], &sample);
+        (void)prepare_for(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f, normal, centre,
+                          radius, &sampler);
+        (void)spherecap_sample(&sampler, u[0], u[0], &sample);
+        sample.offset.side += i % 11 == 7 ? 2.0f : 0.0f;
+        sample.direction[0] += i % 11 == 9 ? 0.1f : 0.0f;
         put(9, i, &sample.offset.zenith, 3);
         put(12, i, sample.direction, 3);
     }
@@ -70,7 +77,7 @@ static arrays_t last(size_t count) {
     for (int i = 0; i < 15; ++i) {
         part.inputs[i] += MOST - count;
     }
-    for (int i = 0; i < 18; ++i) {
+    for (int i = 0; i < 20; ++i) {
         part.outputs[i] += MOST - count;
     }
     return part;
@@ -95,21 +102,34 @@ static spherecap_batch_samples_t samples_of(const arrays_t *a) {
     return samples;
 }
 
+// At how many points each function found bad input; with a number that none finds before it is called.
+typedef struct refused_t {
+    size_t sample, pdf, pdf_direction, pdf_on_sphere, measures;
+} refused_t;
+static const refused_t nobody_knows = {SIZE_MAX, SIZE_MAX, SIZE_MAX, SIZE_MAX, SIZE_MAX};
+
 // All functions, with the outputs where `arrays_t` says.
-static void run(const arrays_t *a, const spherecap_batch_t *batch, uint32_t expected) {
-    const float *const offset[3] = {a->inputs[9], a->inputs[10], a->inputs[11]};
-    const float *const direction[3] = {a->inputs[12], a->inputs[13], a->inputs[14]};
+static refused_t run(const arrays_t *a, const spherecap_batch_t *batch, uint32_t expected) {
+    refused_t refused = nobody_knows;
+    const spherecap_batch_random_t random = {a->inputs[7], a->inputs[8]};
+    const spherecap_batch_offsets_t offsets = {a->inputs[9], a->inputs[10], a->inputs[11]};
+    const spherecap_batch_directions_t directions = {a->inputs[12], a->inputs[13], a->inputs[14]};
+    const spherecap_batch_measures_t measures = {a->outputs[18], a->outputs[19]};
     const spherecap_batch_samples_t samples = samples_of(a);
     const spherecap_batch_densities_t densities[3] = {
         {a->outputs[12], a->outputs[13]}, {a->outputs[14], a->outputs[15]}, {a->outputs[16], a->outputs[17]}};
-    CHECK(spherecap_batch_sample(batch, a->inputs[7], a->inputs[8], &samples) == expected);
-    CHECK(spherecap_batch_pdf(batch, offset, &densities[0]) == expected);
-    CHECK(spherecap_batch_pdf_direction(batch, direction, &densities[1]) == expected);
-    CHECK(spherecap_batch_pdf_on_sphere(batch, direction, &densities[2]) == expected);
+    CHECK(spherecap_batch_sample(batch, &random, &samples, &refused.sample) == expected);
+    CHECK(spherecap_batch_pdf(batch, &offsets, &densities[0], &refused.pdf) == expected);
+    CHECK(spherecap_batch_pdf_direction(batch, &directions, &densities[1], &refused.pdf_direction) ==
+          expected);
+    CHECK(spherecap_batch_pdf_on_sphere(batch, &directions, &densities[2], &refused.pdf_on_sphere) ==
+          expected);
+    CHECK(spherecap_batch_measures(batch, &measures, &refused.measures) == expected);
+    return refused;
 }
 
 static void fill_outputs_with_rubbish(void) {
-    for (int i = 0; i < 18; ++i) {
+    for (int i = 0; i < 20; ++i) {
         fill_with_rubbish(arrays.outputs[i], MOST * sizeof(float));
     }
 }
@@ -120,28 +140,46 @@ static int is_rubbish(float number) {
     return memcmp(&number, &rubbish, sizeof rubbish) == 0;
 }
 
-static void expect_single_calls(const arrays_t *a, const spherecap_batch_t *batch) {
+// 1 where a status is about bad input.
+static size_t is_bad(uint32_t status) { return status > SPHERECAP_STATUS_INSIDE; }
+
+static void expect_single_calls(const arrays_t *a, const spherecap_batch_t *batch, const refused_t *found) {
+    refused_t refused = {0, 0, 0, 0, 0};
     for (size_t i = 0; i < a->count; ++i) {
-        float in[15], out[18];
+        float in[15], out[20];
         for (int k = 0; k < 15; ++k) {
             in[k] = a->inputs[k][i];
         }
-        spherecap_cap_t cap;
-        (void)spherecap_prepare(batch->technique, batch->hemispheres, batch->defensive, in, in + 3, in[6],
-                                &cap);
+        spherecap_sampler_t sampler;
+        const size_t bad = is_bad(
+            prepare_for(batch->technique, batch->hemispheres, batch->defensive, in, in + 3, in[6], &sampler));
         const spherecap_offset_t offset = {in[9], in[10], in[11]};
         spherecap_sample_t sample;
         spherecap_density_t densities[3];
-        (void)spherecap_sample(&cap, in[7], in[8], &sample);
-        (void)spherecap_pdf(&cap, &offset, &densities[0]);
-        (void)spherecap_pdf_direction(&cap, in + 12, &densities[1]);
-        (void)spherecap_pdf_on_sphere(&cap, in + 12, &densities[2]);
+        (void)spherecap_sample(&sampler, in[7], in[8], &sample);
+        (void)spherecap_pdf(&sampler, &offset, &densities[0]);
+        (void)spherecap_pdf_direction(&sampler, in + 12, &densities[1]);
+        (void)spherecap_pdf_on_sphere(&sampler, in + 12, &densities[2]);
+        (void)spherecap_solid_angle(&sampler, &out[18]);
+        (void)spherecap_projected_solid_angle(&sampler, &out[19]);
+        // A sampler of another sphere has nothing to object to but the offset and the direction.
+        spherecap_sampler_t other;
+        CHECK(prepare_for(0, 0, 0.0f, zenith, zenith_of_two, 1.0f, &other) == SPHERECAP_STATUS_OK);
+        spherecap_density_t density;
+        const size_t bad_offset = is_bad(spherecap_pdf(&other, &offset, &density));
+        const size_t bad_direction = is_bad(spherecap_pdf_direction(&other, in + 12, &density));
+        refused.sample += bad;
+        refused.pdf += bad | bad_offset;
+        refused.pdf_direction += bad | bad_direction;
+        refused.pdf_on_sphere += bad | bad_direction;
+        refused.measures += bad;
         memcpy(out, &sample, sizeof sample); // its fields are the first twelve arrays
         memcpy(out + 12, densities, sizeof densities);
-        for (int k = 0; k < 18; ++k) {
+        for (int k = 0; k < 20; ++k) {
             CHECK(memcmp(&out[k], &a->outputs[k][i], sizeof(float)) == 0);
         }
     }
+    CHECK(memcmp(found, &refused, sizeof refused) == 0);
 }
 
 static void every_length(void) {
@@ -151,9 +189,9 @@ static void every_length(void) {
         const float defensive = count % 2 == 0 ? 0.0f : 0.25f;
         const spherecap_batch_t batch = batch_of(&part, count % 3, count / 3 % 2, defensive);
         fill_outputs_with_rubbish();
-        run(&part, &batch, SPHERECAP_STATUS_OK);
-        expect_single_calls(&part, &batch);
-        for (int k = 0; k < 18; ++k) {
+        const refused_t refused = run(&part, &batch, SPHERECAP_STATUS_OK);
+        expect_single_calls(&part, &batch, &refused);
+        for (int k = 0; k < 20; ++k) {
             for (size_t i = 0; i < MOST - count; ++i) {
                 CHECK(is_rubbish(arrays.outputs[k][i]));
             }
@@ -167,7 +205,9 @@ static void every_length(void) {
 
 static void nothing(void) {
     // Nobody's arrays of nothing: they may be NULL.
-    const float *const none[3] = {NULL, NULL, NULL};
+    const spherecap_batch_random_t random = {NULL, NULL};
+    const spherecap_batch_offsets_t offsets = {NULL, NULL, NULL};
+    const spherecap_batch_directions_t directions = {NULL, NULL, NULL};
     const spherecap_batch_t batch = {SPHERECAP_TECHNIQUE_PROJECTED,
                                      SPHERECAP_HEMISPHERES_FRONT,
                                      0.0f,
@@ -176,12 +216,15 @@ static void nothing(void) {
                                      {NULL, NULL, NULL},
                                      NULL};
     const spherecap_batch_densities_t densities = {NULL, NULL};
+    const spherecap_batch_measures_t measures = {NULL, NULL};
     const spherecap_batch_samples_t samples = {
         {NULL, NULL, NULL}, {NULL, NULL, NULL}, NULL, {NULL, NULL, NULL}, {NULL, NULL}};
-    CHECK(spherecap_batch_sample(&batch, NULL, NULL, &samples) == SPHERECAP_STATUS_OK);
-    CHECK(spherecap_batch_pdf(&batch, none, &densities) == SPHERECAP_STATUS_OK);
-    CHECK(spherecap_batch_pdf_direction(&batch, none, &densities) == SPHERECAP_STATUS_OK);
-    CHECK(spherecap_batch_pdf_on_sphere(&batch, none, &densities) == SPHERECAP_STATUS_OK);
+    size_t refused = 1;
+    CHECK(spherecap_batch_sample(&batch, &random, &samples, &refused) == SPHERECAP_STATUS_OK && refused == 0);
+    CHECK(spherecap_batch_pdf(&batch, &offsets, &densities, NULL) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_batch_pdf_direction(&batch, &directions, &densities, NULL) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_batch_pdf_on_sphere(&batch, &directions, &densities, NULL) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_batch_measures(&batch, &measures, NULL) == SPHERECAP_STATUS_OK);
 }
 
 static void only_what_is_wanted(void) {
@@ -189,17 +232,19 @@ static void only_what_is_wanted(void) {
     const spherecap_batch_t batch =
         batch_of(&all, SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f);
     fill_outputs_with_rubbish();
-    run(&all, &batch, SPHERECAP_STATUS_OK);
+    const refused_t refused = run(&all, &batch, SPHERECAP_STATUS_OK);
+    CHECK(refused.sample > 0 && refused.pdf > refused.sample && refused.measures == refused.sample);
     float expected[MOST];
     memcpy(expected, all.outputs[10], sizeof expected);
-    for (int wanted = 0; wanted < 12; ++wanted) {
+    for (int wanted = 0; wanted < 20; ++wanted) {
         arrays_t some = all;
-        for (int i = 0; i < 18; ++i) {
+        for (int i = 0; i < 20; ++i) {
             some.outputs[i] = i == wanted ? all.outputs[i] : NULL;
         }
         fill_outputs_with_rubbish();
-        run(&some, &batch, SPHERECAP_STATUS_OK);
-        for (int i = 0; i < 18; ++i) {
+        const refused_t found = run(&some, &batch, SPHERECAP_STATUS_OK);
+        CHECK(memcmp(&found, &refused, sizeof found) == 0);
+        for (int i = 0; i < 20; ++i) {
             CHECK(is_rubbish(all.outputs[i][0]) == (i != wanted));
         }
         CHECK(wanted != 10 || memcmp(expected, all.outputs[10], sizeof expected) == 0);
@@ -209,8 +254,9 @@ static void only_what_is_wanted(void) {
 // Nothing is stored.
 static void expect_refused(const arrays_t *a, const spherecap_batch_t *batch, uint32_t expected) {
     fill_outputs_with_rubbish();
-    run(a, batch, expected);
-    for (int i = 0; i < 18; ++i) {
+    const refused_t refused = run(a, batch, expected);
+    CHECK(memcmp(&refused, &nobody_knows, sizeof refused) == 0);
+    for (int i = 0; i < 20; ++i) {
         for (size_t k = 0; k < MOST; ++k) {
             CHECK(is_rubbish(arrays.outputs[i][k]));
         }
@@ -241,23 +287,32 @@ static void bad_input(void) {
     const spherecap_batch_samples_t samples = samples_of(&all);
     const spherecap_batch_densities_t densities = samples.density;
     fill_outputs_with_rubbish();
-    CHECK(spherecap_batch_sample(&batch, NULL, all.inputs[8], &samples) == null);
-    CHECK(spherecap_batch_sample(&batch, all.inputs[7], NULL, &samples) == null);
-    CHECK(spherecap_batch_sample(&batch, all.inputs[7], all.inputs[8], NULL) == null);
+    const spherecap_batch_measures_t measures = {all.outputs[18], all.outputs[19]};
     const float *const vector[3] = {all.inputs[9], all.inputs[10], all.inputs[11]};
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 3; ++i) {
         const float *some[3] = {vector[0], vector[1], vector[2]};
-        if (i < 3) {
-            some[i] = NULL;
-        }
-        const float *const *incomplete = i < 3 ? some : NULL;
-        CHECK(spherecap_batch_pdf(&batch, incomplete, &densities) == null);
-        CHECK(spherecap_batch_pdf_direction(&batch, incomplete, &densities) == null);
-        CHECK(spherecap_batch_pdf_on_sphere(&batch, incomplete, &densities) == null);
+        some[i] = NULL;
+        const spherecap_batch_random_t random = {i == 0 ? NULL : vector[0], i == 1 ? NULL : vector[1]};
+        const spherecap_batch_offsets_t offsets = {some[0], some[1], some[2]};
+        const spherecap_batch_directions_t directions = {some[0], some[1], some[2]};
+        CHECK(i == 2 || spherecap_batch_sample(&batch, &random, &samples, NULL) == null);
+        CHECK(spherecap_batch_pdf(&batch, &offsets, &densities, NULL) == null);
+        CHECK(spherecap_batch_pdf_direction(&batch, &directions, &densities, NULL) == null);
+        CHECK(spherecap_batch_pdf_on_sphere(&batch, &directions, &densities, NULL) == null);
     }
-    CHECK(spherecap_batch_pdf(&batch, vector, NULL) == null);
-    CHECK(spherecap_batch_pdf_direction(&batch, vector, NULL) == null);
-    CHECK(spherecap_batch_pdf_on_sphere(&batch, vector, NULL) == null);
+    const spherecap_batch_random_t random = {vector[0], vector[1]};
+    const spherecap_batch_offsets_t offsets = {vector[0], vector[1], vector[2]};
+    const spherecap_batch_directions_t directions = {vector[0], vector[1], vector[2]};
+    CHECK(spherecap_batch_sample(&batch, NULL, &samples, NULL) == null);
+    CHECK(spherecap_batch_sample(&batch, &random, NULL, NULL) == null);
+    CHECK(spherecap_batch_pdf(&batch, NULL, &densities, NULL) == null);
+    CHECK(spherecap_batch_pdf(&batch, &offsets, NULL, NULL) == null);
+    CHECK(spherecap_batch_pdf_direction(&batch, NULL, &densities, NULL) == null);
+    CHECK(spherecap_batch_pdf_direction(&batch, &directions, NULL, NULL) == null);
+    CHECK(spherecap_batch_pdf_on_sphere(&batch, NULL, &densities, NULL) == null);
+    CHECK(spherecap_batch_pdf_on_sphere(&batch, &directions, NULL, NULL) == null);
+    CHECK(spherecap_batch_measures(&batch, NULL, NULL) == null);
+    CHECK(spherecap_batch_measures(NULL, &measures, NULL) == null);
     CHECK(is_rubbish(all.outputs[10][0]) && is_rubbish(all.outputs[11][0]));
 }
 

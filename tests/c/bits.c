@@ -1,66 +1,97 @@
 // Prepares, samples and evaluates what it reads, and prints the bits of all results, for `tests/c_abi.rs` to
-// compare with what Rust gives.
+// compare with what Rust gives. In single precision; `bits_f64.c` is the same in double precision.
 //
-// A line in, all words hexadecimal, floats as their bits: technique, hemispheres, defensive, normal, centre,
+// A line in, all words hexadecimal, numbers as their bits: technique, hemispheres, defensive, normal, centre,
 // radius, u0, u1. A line out: "ok" and the bits; or the message of the status that the preparation ended
-// with.
+// with. With the argument "flush", subnormal numbers are flushed to zero.
 
 #include "spherecap.h"
 
 #include "check.h"
 
+#include <inttypes.h>
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+#ifdef DOUBLE_PRECISION
+typedef double number_t;
+typedef uint64_t bits_t;
+#define NUMBER_BITS PRIx64
+#define NUMBER_WORD SCNx64
+#define NUMBER_DIGITS "16"
+#define OF_PRECISION(name) name##_f64
+#define TYPE(name) spherecap_##name##_f64_t
+#else
+typedef float number_t;
+typedef uint32_t bits_t;
+#define NUMBER_BITS PRIx32
+#define NUMBER_WORD SCNx32
+#define NUMBER_DIGITS "8"
+#define OF_PRECISION(name) name
+#define TYPE(name) spherecap_##name##_t
+#endif
+
 enum { WORDS_IN = 12 };
 
-static float as_float(uint32_t bits) {
-    float number;
+static number_t as_number(bits_t bits) {
+    number_t number;
     memcpy(&number, &bits, sizeof number);
     return number;
 }
 
-static int read_words(uint32_t words[WORDS_IN]) {
+static int read_words(bits_t words[WORDS_IN]) {
     for (int i = 0; i < WORDS_IN; ++i) {
-        unsigned word;
-        if (scanf("%x", &word) != 1) {
+        if (scanf("%" NUMBER_WORD, &words[i]) != 1) {
             CHECK(i == 0 && feof(stdin));
             return 0;
         }
-        words[i] = word;
     }
     return 1;
 }
 
 static void print_bits(const void *memory, size_t size) {
-    for (size_t i = 0; i < size; i += sizeof(uint32_t)) {
-        uint32_t word;
-        memcpy(&word, (const char *)memory + i, sizeof word);
-        printf(" %08x", (unsigned)word);
+    for (size_t i = 0; i < size; i += sizeof(bits_t)) {
+        bits_t bits;
+        memcpy(&bits, (const char *)memory + i, sizeof bits);
+        printf(" %0" NUMBER_DIGITS NUMBER_BITS, bits);
     }
 }
 
-int main(void) {
-    uint32_t words[WORDS_IN];
+int main(int count, char **arguments) {
+    if (count > 1 && strcmp(arguments[1], "flush") == 0) {
+#if defined(__SSE__)
+        _mm_setcsr(_mm_getcsr() | 0x8040); // results, and operands
+#endif
+    }
+    bits_t words[WORDS_IN];
     while (read_words(words)) {
-        float in[WORDS_IN];
+        number_t in[WORDS_IN];
         for (int i = 0; i < WORDS_IN; ++i) {
-            in[i] = as_float(words[i]);
+            in[i] = as_number(words[i]);
         }
-        spherecap_cap_t cap;
-        const uint32_t status = spherecap_prepare(words[0], words[1], in[2], in + 3, in + 6, in[9], &cap);
+        const TYPE(receiver)
+            receiver = {{in[3], in[4], in[5]}, (uint32_t)words[0], (uint32_t)words[1], in[2]};
+        TYPE(sampler) sampler;
+        const uint32_t status = OF_PRECISION(spherecap_prepare)(&receiver, in + 6, in[9], &sampler);
         if (status != SPHERECAP_STATUS_OK) {
             puts(spherecap_status_message(status));
             continue;
         }
-        spherecap_sample_t sample;
-        spherecap_density_t density, of_direction, on_sphere;
-        float u[2], solid_angle, projected_solid_angle, bound;
-        CHECK(spherecap_sample(&cap, in[10], in[11], &sample) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_pdf(&cap, &sample.offset, &density) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_pdf_direction(&cap, sample.direction, &of_direction) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_pdf_on_sphere(&cap, sample.direction, &on_sphere) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_invert(&cap, &sample.offset, u) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_solid_angle(&cap, &solid_angle) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_projected_solid_angle(&cap, &projected_solid_angle) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_density_bound(&cap, &bound) == SPHERECAP_STATUS_OK);
+        TYPE(sample) sample;
+        TYPE(density) density, of_direction, on_sphere;
+        number_t u[2], solid_angle, projected_solid_angle, bound;
+        CHECK(OF_PRECISION(spherecap_sample)(&sampler, in[10], in[11], &sample) == SPHERECAP_STATUS_OK);
+        CHECK(OF_PRECISION(spherecap_pdf)(&sampler, &sample.offset, &density) == SPHERECAP_STATUS_OK);
+        CHECK(OF_PRECISION(spherecap_pdf_direction)(&sampler, sample.direction, &of_direction) ==
+              SPHERECAP_STATUS_OK);
+        CHECK(OF_PRECISION(spherecap_pdf_on_sphere)(&sampler, sample.direction, &on_sphere) ==
+              SPHERECAP_STATUS_OK);
+        CHECK(OF_PRECISION(spherecap_invert)(&sampler, &sample.offset, u) == SPHERECAP_STATUS_OK);
+        CHECK(OF_PRECISION(spherecap_solid_angle)(&sampler, &solid_angle) == SPHERECAP_STATUS_OK);
+        CHECK(OF_PRECISION(spherecap_projected_solid_angle)(&sampler, &projected_solid_angle) ==
+              SPHERECAP_STATUS_OK);
+        CHECK(OF_PRECISION(spherecap_density_bound)(&sampler, &bound) == SPHERECAP_STATUS_OK);
         printf("ok");
         print_bits(&sample.offset, sizeof sample.offset);
         print_bits(sample.direction, sizeof sample.direction);

@@ -1,7 +1,8 @@
-// Calls every function with good input and with every kind of bad input. Prints the statuses that it has met,
-// one a line with its message, for `tests/c_abi.rs` to compare with the header's list.
+// Calls every function on single points with good input and with every kind of bad input. Prints the statuses
+// that it has met, one a line with its message, for `tests/c_abi.rs` to compare with the header's list.
 
 #include "spherecap.h" // first, so that it must be self-contained
+#include "spherecap_record.h"
 
 #include "check.h"
 
@@ -29,80 +30,85 @@ static uint32_t meet(uint32_t status) {
         CHECK(is_all_zero(&(out), sizeof(out)));                                                             \
     } while (0)
 
-// Every function that takes a cap gives this status for it and stores zeros.
-static void expect_no_cap(const spherecap_cap_t *cap, uint32_t expected) {
+// Every function that takes a sampler gives this status for it and stores zeros.
+static void expect_no_sampler(const spherecap_sampler_t *sampler, uint32_t expected) {
     const spherecap_offset_t offset = {0.0f, 0.0f, 0.5f};
     const float direction[3] = {1.0f, 0.0f, 0.0f};
     spherecap_sample_t sample;
     spherecap_density_t density;
     float u[2], number;
-    EXPECT_NOTHING(expected, sample, spherecap_sample(cap, 0.5f, 0.5f, &sample));
-    EXPECT_NOTHING(expected, density, spherecap_pdf(cap, &offset, &density));
-    EXPECT_NOTHING(expected, density, spherecap_pdf_direction(cap, direction, &density));
-    EXPECT_NOTHING(expected, density, spherecap_pdf_on_sphere(cap, direction, &density));
-    EXPECT_NOTHING(expected, u, spherecap_invert(cap, &offset, u));
-    EXPECT_NOTHING(expected, number, spherecap_solid_angle(cap, &number));
-    EXPECT_NOTHING(expected, number, spherecap_projected_solid_angle(cap, &number));
-    EXPECT_NOTHING(expected, number, spherecap_density_bound(cap, &number));
+    EXPECT_NOTHING(expected, sample, spherecap_sample(sampler, 0.5f, 0.5f, &sample));
+    EXPECT_NOTHING(expected, density, spherecap_pdf(sampler, &offset, &density));
+    EXPECT_NOTHING(expected, density, spherecap_pdf_direction(sampler, direction, &density));
+    EXPECT_NOTHING(expected, density, spherecap_pdf_on_sphere(sampler, direction, &density));
+    EXPECT_NOTHING(expected, u, spherecap_invert(sampler, &offset, u));
+    EXPECT_NOTHING(expected, number, spherecap_solid_angle(sampler, &number));
+    EXPECT_NOTHING(expected, number, spherecap_projected_solid_angle(sampler, &number));
+    EXPECT_NOTHING(expected, number, spherecap_density_bound(sampler, &number));
 }
 
-static spherecap_cap_t good_cap(uint32_t technique, uint32_t hemispheres, float defensive) {
-    spherecap_cap_t cap;
-    fill_with_rubbish(&cap, sizeof cap);
-    CHECK(meet(spherecap_prepare(technique, hemispheres, defensive, zenith, ahead, 1.0f, &cap)) ==
+static spherecap_sampler_t good_sampler(uint32_t technique, uint32_t hemispheres, float defensive) {
+    spherecap_sampler_t sampler;
+    fill_with_rubbish(&sampler, sizeof sampler);
+    CHECK(meet(prepare_for(technique, hemispheres, defensive, zenith, ahead, 1.0f, &sampler)) ==
           SPHERECAP_STATUS_OK);
-    return cap;
+    return sampler;
 }
 
 static void good_input(void) {
     CHECK(spherecap_abi_version() == SPHERECAP_ABI);
-    CHECK(strchr(spherecap_version(), '.') != NULL);
+    char version[64];
+    snprintf(version, sizeof version, "%d.%d.%d", SPHERECAP_VERSION_MAJOR, SPHERECAP_VERSION_MINOR,
+             SPHERECAP_VERSION_PATCH);
+    CHECK(strcmp(spherecap_version(), version) == 0);
+    CHECK(strlen(spherecap_batch_instructions()) > 0);
 
-    for (uint32_t technique = SPHERECAP_TECHNIQUE_SOLID_ANGLE; technique <= SPHERECAP_TECHNIQUE_PROJECTED;
+    for (uint32_t technique = SPHERECAP_TECHNIQUE_PROJECTED; technique <= SPHERECAP_TECHNIQUE_SOLID_ANGLE;
          ++technique) {
         for (uint32_t both = SPHERECAP_HEMISPHERES_FRONT; both <= SPHERECAP_HEMISPHERES_BOTH; ++both) {
             for (int eighths = 0; eighths <= 8; ++eighths) {
-                const spherecap_cap_t cap = good_cap(technique, both, (float)eighths / 8.0f);
+                const spherecap_sampler_t sampler = good_sampler(technique, both, (float)eighths / 8.0f);
                 float solid_angle, projected_solid_angle, bound;
-                CHECK(spherecap_solid_angle(&cap, &solid_angle) == SPHERECAP_STATUS_OK);
-                CHECK(spherecap_projected_solid_angle(&cap, &projected_solid_angle) == SPHERECAP_STATUS_OK);
-                CHECK(spherecap_density_bound(&cap, &bound) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_solid_angle(&sampler, &solid_angle) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_projected_solid_angle(&sampler, &projected_solid_angle) ==
+                      SPHERECAP_STATUS_OK);
+                CHECK(spherecap_density_bound(&sampler, &bound) == SPHERECAP_STATUS_OK);
                 CHECK(0.0f < projected_solid_angle && projected_solid_angle < solid_angle &&
                       solid_angle < 6.2f);
                 CHECK(bound >= 1.0f);
 
                 spherecap_sample_t sample;
-                CHECK(spherecap_sample(&cap, 0.25f, 1.0f, &sample) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_sample(&sampler, 0.25f, 1.0f, &sample) == SPHERECAP_STATUS_OK);
                 CHECK(2.0f < sample.distance && sample.distance < 3.1f);
                 spherecap_density_t density;
-                CHECK(spherecap_pdf(&cap, &sample.offset, &density) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_pdf(&sampler, &sample.offset, &density) == SPHERECAP_STATUS_OK);
                 CHECK(memcmp(&density, &sample.density, sizeof density) == 0);
                 CHECK(density.solid_angle > 0.0f && density.projected_solid_angle > 0.0f);
-                CHECK(spherecap_pdf_direction(&cap, sample.direction, &density) == SPHERECAP_STATUS_OK);
-                CHECK(spherecap_pdf_on_sphere(&cap, sample.direction, &density) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_pdf_direction(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_pdf_on_sphere(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
                 CHECK(density.solid_angle > 0.0f);
                 float u[2];
-                CHECK(spherecap_invert(&cap, &sample.offset, u) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_invert(&sampler, &sample.offset, u) == SPHERECAP_STATUS_OK);
                 CHECK(0.0f <= u[0] && u[0] <= 1.0f && 0.0f <= u[1] && u[1] <= 1.0f);
             }
         }
     }
-    // A cap is plain data: a copy is as good.
-    const spherecap_cap_t cap = good_cap(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f);
-    const spherecap_cap_t copy = cap;
+    // A sampler is plain data: a copy is as good.
+    const spherecap_sampler_t sampler =
+        good_sampler(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f);
+    const spherecap_sampler_t copy = sampler;
     spherecap_sample_t a, b;
-    CHECK(spherecap_sample(&cap, 0.3f, 0.7f, &a) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_sample(&sampler, 0.3f, 0.7f, &a) == SPHERECAP_STATUS_OK);
     CHECK(spherecap_sample(&copy, 0.3f, 0.7f, &b) == SPHERECAP_STATUS_OK);
     CHECK(memcmp(&a, &b, sizeof a) == 0);
 }
 
 static void expect_refused(uint32_t technique, uint32_t hemispheres, float defensive, const float *normal,
                            const float *centre, float radius, uint32_t expected) {
-    spherecap_cap_t cap;
-    fill_with_rubbish(&cap, sizeof cap);
-    CHECK(meet(spherecap_prepare(technique, hemispheres, defensive, normal, centre, radius, &cap)) ==
-          expected);
-    expect_no_cap(&cap, expected);
+    spherecap_sampler_t sampler;
+    fill_with_rubbish(&sampler, sizeof sampler);
+    CHECK(meet(prepare_for(technique, hemispheres, defensive, normal, centre, radius, &sampler)) == expected);
+    expect_no_sampler(&sampler, expected);
 }
 
 static void bad_input_to_prepare(void) {
@@ -119,13 +125,14 @@ static void bad_input_to_prepare(void) {
         expect_refused(projected, front, no_fraction[i], zenith, ahead, 1.0f, SPHERECAP_STATUS_DEFENSIVE);
     }
 
-    // 0.001 is the tolerance that the header states.
-    const float no_length[] = {NAN, INFINITY, -INFINITY, SMALLEST, FLT_MIN, 0.9989f, 1.0011f, -2.0f, FLT_MAX};
-    for (size_t i = 0; i < sizeof no_length / sizeof *no_length; ++i) {
+    const float not_finite[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 3; ++i) {
         for (int axis = 0; axis < 3; ++axis) {
-            float normal[3] = {0.0f, 0.0f, 0.0f};
-            normal[axis] = no_length[i];
+            float normal[3] = {0.0f, 0.0f, 1.0f};
+            normal[axis] = not_finite[i];
             expect_refused(projected, front, 0.0f, normal, ahead, 1.0f, SPHERECAP_STATUS_NORMAL);
+            expect_refused(SPHERECAP_TECHNIQUE_SOLID_ANGLE, front, 0.0f, normal, ahead, 1.0f,
+                           SPHERECAP_STATUS_NORMAL);
         }
     }
 
@@ -134,7 +141,6 @@ static void bad_input_to_prepare(void) {
         expect_refused(projected, front, 0.0f, zenith, ahead, no_radius[i], SPHERECAP_STATUS_RADIUS);
     }
 
-    const float not_finite[] = {NAN, INFINITY, -INFINITY};
     for (int i = 0; i < 3; ++i) {
         for (int axis = 0; axis < 3; ++axis) {
             float centre[3] = {3.0f, 0.0f, 0.5f};
@@ -147,7 +153,7 @@ static void bad_input_to_prepare(void) {
 
     expect_refused(projected, front, 0.0f, NULL, ahead, 1.0f, SPHERECAP_STATUS_NULL_POINTER);
     expect_refused(projected, front, 0.0f, zenith, NULL, 1.0f, SPHERECAP_STATUS_NULL_POINTER);
-    CHECK(meet(spherecap_prepare(projected, front, 0.0f, zenith, ahead, 1.0f, NULL)) ==
+    CHECK(meet(prepare_for(projected, front, 0.0f, zenith, ahead, 1.0f, NULL)) ==
           SPHERECAP_STATUS_NULL_POINTER);
 }
 
@@ -159,21 +165,19 @@ static void valid_input_to_prepare(void) {
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; ++i) {
         const float d = lengths[i];
         const float above[3] = {0.0f, 0.0f, d}, below[3] = {0.0f, 0.0f, -d};
-        spherecap_cap_t cap;
-        CHECK(spherecap_prepare(projected, front, 0.0f, zenith, above, d / 2.0f, &cap) ==
-              SPHERECAP_STATUS_OK);
+        spherecap_sampler_t sampler;
+        CHECK(prepare_for(projected, front, 0.0f, zenith, above, d / 2.0f, &sampler) == SPHERECAP_STATUS_OK);
         spherecap_sample_t sample;
-        CHECK(spherecap_sample(&cap, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_OK);
+        CHECK(spherecap_sample(&sampler, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_OK);
         CHECK(d / 2.0f <= sample.distance && sample.distance <= d);
 
         expect_refused(projected, front, 0.0f, zenith, above, d, SPHERECAP_STATUS_INSIDE);
         expect_refused(projected, front, 0.0f, zenith, above, FLT_MAX, SPHERECAP_STATUS_INSIDE);
         expect_refused(projected, front, 0.0f, zenith, below, d / 2.0f, SPHERECAP_STATUS_INVISIBLE);
         // What the horizon hides is there for the techniques that sample it.
-        CHECK(spherecap_prepare(projected, both, 0.0f, zenith, below, d / 2.0f, &cap) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_prepare(projected, front, 0.5f, zenith, below, d / 2.0f, &cap) ==
-              SPHERECAP_STATUS_OK);
-        CHECK(spherecap_prepare(solid_angle, front, 0.0f, zenith, below, d / 2.0f, &cap) ==
+        CHECK(prepare_for(projected, both, 0.0f, zenith, below, d / 2.0f, &sampler) == SPHERECAP_STATUS_OK);
+        CHECK(prepare_for(projected, front, 0.5f, zenith, below, d / 2.0f, &sampler) == SPHERECAP_STATUS_OK);
+        CHECK(prepare_for(solid_angle, front, 0.0f, zenith, below, d / 2.0f, &sampler) ==
               SPHERECAP_STATUS_OK);
     }
     // Too small for any density to be a number.
@@ -182,39 +186,80 @@ static void valid_input_to_prepare(void) {
 
     // No surface: every technique samples by solid angle, and nothing has a cosine.
     const float none[3] = {0.0f, -0.0f, 0.0f};
-    for (uint32_t technique = solid_angle; technique <= projected; ++technique) {
-        spherecap_cap_t cap;
+    for (uint32_t technique = projected; technique <= solid_angle; ++technique) {
+        spherecap_sampler_t sampler;
         spherecap_sample_t sample;
-        CHECK(spherecap_prepare(technique, front, 0.0f, none, ahead, 1.0f, &cap) == SPHERECAP_STATUS_OK);
-        CHECK(spherecap_sample(&cap, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_OK);
+        CHECK(prepare_for(technique, front, 0.0f, none, ahead, 1.0f, &sampler) == SPHERECAP_STATUS_OK);
+        CHECK(spherecap_sample(&sampler, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_OK);
         CHECK(sample.density.solid_angle > 0.0f && sample.offset.cosine == 0.0f);
-    }
-    // As long or as short as a normal may be.
-    for (int i = -1; i <= 1; i += 2) {
-        const float normal[3] = {0.0f, 0.0f, 1.0f + 0.0009f * (float)i};
-        spherecap_cap_t cap;
-        CHECK(spherecap_prepare(projected, front, 0.0f, normal, ahead, 1.0f, &cap) == SPHERECAP_STATUS_OK);
     }
 }
 
+// A normal says the same whatever its length.
+static void normals_of_every_length(void) {
+    const float lengths[] = {SMALLEST, 3.0f * SMALLEST, FLT_MIN, 1e-20f, 0.999f,
+                             1.0f,     1.001f,          2.0f,    1e20f,  FLT_MAX};
+    spherecap_sample_t expected = {0};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            float centre[3] = {0.4f, 0.5f, 0.6f}, unit[3] = {0.0f, 0.0f, 0.0f};
+            unit[axis] = (float)sign;
+            centre[axis] *= (float)sign;
+            spherecap_sampler_t sampler;
+            CHECK(prepare_for(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f, unit, centre,
+                              0.7f, &sampler) == SPHERECAP_STATUS_OK);
+            CHECK(spherecap_sample(&sampler, 0.2f, 0.3f, &expected) == SPHERECAP_STATUS_OK);
+            for (size_t i = 0; i < sizeof lengths / sizeof *lengths; ++i) {
+                float normal[3] = {0.0f, 0.0f, 0.0f};
+                normal[axis] = unit[axis] * lengths[i];
+                spherecap_sample_t sample;
+                CHECK(prepare_for(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f, normal,
+                                  centre, 0.7f, &sampler) == SPHERECAP_STATUS_OK);
+                CHECK(spherecap_sample(&sampler, 0.2f, 0.3f, &sample) == SPHERECAP_STATUS_OK);
+                CHECK(memcmp(&sample, &expected, sizeof sample) == 0);
+            }
+        }
+    }
+    // Where the sum of the components is beyond the largest number.
+    const float longest[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, third = 0.57735026919f;
+    const float diagonal[3] = {third, third, third};
+    spherecap_sampler_t sampler;
+    float cosines[2];
+    for (int i = 0; i < 2; ++i) {
+        spherecap_sample_t sample;
+        CHECK(prepare_for(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f,
+                          i == 0 ? longest : diagonal, ahead, 1.0f, &sampler) == SPHERECAP_STATUS_OK);
+        CHECK(spherecap_sample(&sampler, 0.2f, 0.3f, &sample) == SPHERECAP_STATUS_OK);
+        cosines[i] = sample.offset.cosine;
+    }
+    CHECK(fabsf(cosines[0] - cosines[1]) < 4.0f * FLT_EPSILON);
+}
+
 static void bad_input_to_the_others(void) {
-    const spherecap_cap_t cap = good_cap(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f);
+    const spherecap_sampler_t sampler =
+        good_sampler(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f);
     const spherecap_offset_t centre = {0.0f, 0.0f, 0.5f};
     const float direction[3] = {1.0f, 0.0f, 0.0f};
     spherecap_sample_t sample;
     spherecap_density_t density;
     float u[2];
 
-    const float no_random_number[] = {NAN, INFINITY, -INFINITY, -SMALLEST, 1.0f + FLT_EPSILON, FLT_MAX};
-    for (size_t i = 0; i < sizeof no_random_number / sizeof *no_random_number; ++i) {
-        const float bad = no_random_number[i];
-        EXPECT_NOTHING(SPHERECAP_STATUS_RANDOM_NUMBER, sample, spherecap_sample(&cap, bad, 0.5f, &sample));
-        EXPECT_NOTHING(SPHERECAP_STATUS_RANDOM_NUMBER, sample, spherecap_sample(&cap, 0.5f, bad, &sample));
+    const float below[] = {NAN, -INFINITY, -1.0f, -SMALLEST},
+                above[] = {INFINITY, FLT_MAX, 2.0f, 1.0f + FLT_EPSILON};
+    for (int i = 0; i < 8; ++i) {
+        const float outside = i < 4 ? below[i] : above[i - 4], end = i < 4 ? 0.0f : 1.0f;
+        spherecap_sample_t expected;
+        CHECK(spherecap_sample(&sampler, outside, 0.5f, &sample) == SPHERECAP_STATUS_OK);
+        CHECK(spherecap_sample(&sampler, end, 0.5f, &expected) == SPHERECAP_STATUS_OK);
+        CHECK(memcmp(&sample, &expected, sizeof sample) == 0);
+        CHECK(spherecap_sample(&sampler, 0.5f, outside, &sample) == SPHERECAP_STATUS_OK);
+        CHECK(spherecap_sample(&sampler, 0.5f, end, &expected) == SPHERECAP_STATUS_OK);
+        CHECK(memcmp(&sample, &expected, sizeof sample) == 0);
     }
     const float ends[] = {0.0f, -0.0f, SMALLEST, 1.0f - FLT_EPSILON / 2.0f, 1.0f};
     for (size_t i = 0; i < sizeof ends / sizeof *ends; ++i) {
         for (size_t j = 0; j < sizeof ends / sizeof *ends; ++j) {
-            CHECK(spherecap_sample(&cap, ends[i], ends[j], &sample) == SPHERECAP_STATUS_OK);
+            CHECK(spherecap_sample(&sampler, ends[i], ends[j], &sample) == SPHERECAP_STATUS_OK);
             CHECK(sample.density.solid_angle > 0.0f);
         }
     }
@@ -225,10 +270,12 @@ static void bad_input_to_the_others(void) {
             float v[3] = {1.0f, 0.0f, 0.0f};
             v[axis] = not_finite[i];
             const spherecap_offset_t offset = {v[0], v[1], v[2]};
-            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf(&cap, &offset, &density));
-            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf_direction(&cap, v, &density));
-            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf_on_sphere(&cap, v, &density));
-            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, u, spherecap_invert(&cap, &offset, u));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf(&sampler, &offset, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density,
+                           spherecap_pdf_direction(&sampler, v, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density,
+                           spherecap_pdf_on_sphere(&sampler, v, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, u, spherecap_invert(&sampler, &offset, u));
         }
     }
 
@@ -238,32 +285,35 @@ static void bad_input_to_the_others(void) {
         for (int axis = 0; axis < 3; ++axis) {
             float v[3] = {0.0f, 0.0f, 0.0f};
             v[axis] = no_length[i];
-            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf_direction(&cap, v, &density));
-            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf_on_sphere(&cap, v, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density,
+                           spherecap_pdf_direction(&sampler, v, &density));
+            EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density,
+                           spherecap_pdf_on_sphere(&sampler, v, &density));
             if (fabsf(v[axis]) > 1.0f) {
                 const spherecap_offset_t offset = {v[0], v[1], v[2]};
-                EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density, spherecap_pdf(&cap, &offset, &density));
-                EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, u, spherecap_invert(&cap, &offset, u));
+                EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density,
+                               spherecap_pdf(&sampler, &offset, &density));
+                EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, u, spherecap_invert(&sampler, &offset, u));
             }
         }
     }
 
     // Inputs that are NULL, one at a time.
     const uint32_t null = SPHERECAP_STATUS_NULL_POINTER;
-    expect_no_cap(NULL, null);
-    EXPECT_NOTHING(null, density, spherecap_pdf(&cap, NULL, &density));
-    EXPECT_NOTHING(null, density, spherecap_pdf_direction(&cap, NULL, &density));
-    EXPECT_NOTHING(null, density, spherecap_pdf_on_sphere(&cap, NULL, &density));
-    EXPECT_NOTHING(null, u, spherecap_invert(&cap, NULL, u));
+    expect_no_sampler(NULL, null);
+    EXPECT_NOTHING(null, density, spherecap_pdf(&sampler, NULL, &density));
+    EXPECT_NOTHING(null, density, spherecap_pdf_direction(&sampler, NULL, &density));
+    EXPECT_NOTHING(null, density, spherecap_pdf_on_sphere(&sampler, NULL, &density));
+    EXPECT_NOTHING(null, u, spherecap_invert(&sampler, NULL, u));
     // Outputs that are.
-    CHECK(spherecap_sample(&cap, 0.5f, 0.5f, NULL) == null);
-    CHECK(spherecap_pdf(&cap, &centre, NULL) == null);
-    CHECK(spherecap_pdf_direction(&cap, direction, NULL) == null);
-    CHECK(spherecap_pdf_on_sphere(&cap, direction, NULL) == null);
-    CHECK(spherecap_invert(&cap, &centre, NULL) == null);
-    CHECK(spherecap_solid_angle(&cap, NULL) == null);
-    CHECK(spherecap_projected_solid_angle(&cap, NULL) == null);
-    CHECK(spherecap_density_bound(&cap, NULL) == null);
+    CHECK(spherecap_sample(&sampler, 0.5f, 0.5f, NULL) == null);
+    CHECK(spherecap_pdf(&sampler, &centre, NULL) == null);
+    CHECK(spherecap_pdf_direction(&sampler, direction, NULL) == null);
+    CHECK(spherecap_pdf_on_sphere(&sampler, direction, NULL) == null);
+    CHECK(spherecap_invert(&sampler, &centre, NULL) == null);
+    CHECK(spherecap_solid_angle(&sampler, NULL) == null);
+    CHECK(spherecap_projected_solid_angle(&sampler, NULL) == null);
+    CHECK(spherecap_density_bound(&sampler, NULL) == null);
 }
 
 // A recorder that numbers its nodes, counts those that are alive, and fails when it has made enough.
@@ -315,13 +365,13 @@ static uint32_t count_end_if(void *user, uint64_t conditional, uint64_t *nodes, 
 }
 
 // Both functions give this status and zeros.
-static void expect_no_record(const spherecap_recorder_t *recorder, const spherecap_recorded_cap_t *cap,
+static void expect_no_record(const spherecap_recorder_t *recorder, const spherecap_recorded_input_t *input,
                              const spherecap_term_t *u, const spherecap_term_t *direction,
                              uint32_t expected) {
     spherecap_recorded_sample_t sample;
     spherecap_recorded_density_t density;
-    EXPECT_NOTHING(expected, sample, spherecap_record_sample(recorder, cap, u, &sample));
-    EXPECT_NOTHING(expected, density, spherecap_record_pdf_on_sphere(recorder, cap, direction, &density));
+    EXPECT_NOTHING(expected, sample, spherecap_record_sample(recorder, input, u, &sample));
+    EXPECT_NOTHING(expected, density, spherecap_record_pdf_on_sphere(recorder, input, direction, &density));
 }
 
 static void recorders(void) {
@@ -330,7 +380,7 @@ static void recorders(void) {
     const spherecap_recorder_t recorder = {&counter,      count_literal,  count_operation,
                                            count_release, count_begin_if, count_end_if};
     const spherecap_term_t term[3] = {{1, 0.0f}, {2, 0.0f}, {3, 0.0f}};
-    const spherecap_recorded_cap_t good = {
+    const spherecap_recorded_input_t good = {
         SPHERECAP_TECHNIQUE_PROJECTED,     SPHERECAP_HEMISPHERES_BOTH,        {0, 0.125f},
         {{4, 0.0f}, {5, 0.0f}, {6, 0.0f}}, {{7, 0.0f}, {8, 0.0f}, {9, 0.0f}}, {10, 0.0f}};
     spherecap_recorded_sample_t sample;
@@ -359,34 +409,84 @@ static void recorders(void) {
     expect_no_record(&recorder, &good, NULL, NULL, null);
     CHECK(spherecap_record_sample(&recorder, &good, term, NULL) == null);
     CHECK(spherecap_record_pdf_on_sphere(&recorder, &good, term, NULL) == null);
-    spherecap_recorded_cap_t cap = good;
-    cap.technique = 3;
-    expect_no_record(&recorder, &cap, term, term, SPHERECAP_STATUS_TECHNIQUE);
-    cap = good;
-    cap.hemispheres = UINT32_MAX;
-    expect_no_record(&recorder, &cap, term, term, SPHERECAP_STATUS_HEMISPHERES);
+    spherecap_recorded_input_t input = good;
+    input.technique = 3;
+    expect_no_record(&recorder, &input, term, term, SPHERECAP_STATUS_TECHNIQUE);
+    input = good;
+    input.hemispheres = UINT32_MAX;
+    expect_no_record(&recorder, &input, term, term, SPHERECAP_STATUS_HEMISPHERES);
     CHECK(counter.alive == 0);
 }
 
-static void caps_that_were_never_prepared(void) {
+// Every function in double precision, and samplers of one precision given to functions of the other.
+static void double_precision(void) {
+    const spherecap_receiver_f64_t receiver = {
+        {0.0, 0.0, 7.0}, SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0};
+    const double centre[3] = {3.0, 0.0, 0.5}, at_the_point[3] = {0.0, 0.0, 0.0},
+                 too_long[3] = {1.1, 0.0, 0.0};
+    spherecap_sampler_f64_t sampler;
+    spherecap_sample_f64_t sample;
+    spherecap_density_f64_t density;
+    double u[2], solid_angle, projected_solid_angle, bound;
+    CHECK(meet(spherecap_prepare_f64(&receiver, centre, 1.0, &sampler)) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_sample_f64(&sampler, 0.25, 0.75, &sample) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_pdf_f64(&sampler, &sample.offset, &density) == SPHERECAP_STATUS_OK);
+    CHECK(memcmp(&density, &sample.density, sizeof density) == 0);
+    CHECK(spherecap_pdf_direction_f64(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_pdf_on_sphere_f64(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    CHECK(fabs(density.solid_angle / sample.density.solid_angle - 1.0) < 1e-12);
+    CHECK(spherecap_invert_f64(&sampler, &sample.offset, u) == SPHERECAP_STATUS_OK);
+    CHECK(fabs(u[0] - 0.25) < 1e-12 && fabs(u[1] - 0.75) < 1e-12);
+    CHECK(spherecap_solid_angle_f64(&sampler, &solid_angle) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_projected_solid_angle_f64(&sampler, &projected_solid_angle) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_density_bound_f64(&sampler, &bound) == SPHERECAP_STATUS_OK);
+    CHECK(fabs(sample.offset.cosine / sample.density.solid_angle / projected_solid_angle - 1.0) < 1e-12);
+    CHECK(projected_solid_angle < solid_angle && bound == 1.0);
+    spherecap_sample_f64_t end;
+    CHECK(spherecap_sample_f64(&sampler, NAN, 2.0, &sample) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_sample_f64(&sampler, 0.0, 1.0, &end) == SPHERECAP_STATUS_OK);
+    CHECK(memcmp(&sample, &end, sizeof sample) == 0);
+
+    EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density,
+                   spherecap_pdf_direction_f64(&sampler, too_long, &density));
+    EXPECT_NOTHING(SPHERECAP_STATUS_NULL_POINTER, sample, spherecap_sample_f64(NULL, 0.5, 0.5, &sample));
+    CHECK(spherecap_prepare_f64(&receiver, centre, 1.0, NULL) == SPHERECAP_STATUS_NULL_POINTER);
+    spherecap_sampler_f64_t refused;
+    fill_with_rubbish(&refused, sizeof refused);
+    CHECK(spherecap_prepare_f64(&receiver, at_the_point, 1.0, &refused) == SPHERECAP_STATUS_CENTRE);
+    EXPECT_NOTHING(SPHERECAP_STATUS_CENTRE, sample, spherecap_sample_f64(&refused, 0.5, 0.5, &sample));
+
+    spherecap_sampler_t single =
+        good_sampler(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0.0f);
+    spherecap_sample_t single_sample;
+    EXPECT_NOTHING(
+        SPHERECAP_STATUS_SAMPLER, single_sample,
+        spherecap_sample((const spherecap_sampler_t *)(const void *)&sampler, 0.5f, 0.5f, &single_sample));
+    memcpy(&refused, &single, sizeof single);
+    EXPECT_NOTHING(SPHERECAP_STATUS_SAMPLER, sample, spherecap_sample_f64(&refused, 0.5, 0.5, &sample));
+}
+
+static void samplers_that_were_never_prepared(void) {
     const int patterns[] = {0x00, 0xff, 0xa5, 0x7f};
     for (size_t i = 0; i < sizeof patterns / sizeof *patterns; ++i) {
-        spherecap_cap_t cap;
-        memset(&cap, patterns[i], sizeof cap);
-        expect_no_cap(&cap, SPHERECAP_STATUS_CAP);
+        spherecap_sampler_t sampler;
+        memset(&sampler, patterns[i], sizeof sampler);
+        expect_no_sampler(&sampler, SPHERECAP_STATUS_SAMPLER);
     }
     // Overwritten ones are noticed by their first four words, which hold what must not be trusted.
     for (int word = 0; word < 4; ++word) {
         const uint32_t overwritten[] = {64, 0x80000000, UINT32_MAX};
         for (int i = 0; i < 3; ++i) {
-            spherecap_cap_t cap = good_cap(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_BOTH, 0.5f);
-            cap.words[word] = overwritten[i];
-            expect_no_cap(&cap, SPHERECAP_STATUS_CAP);
+            spherecap_sampler_t sampler =
+                good_sampler(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_BOTH, 0.5f);
+            sampler.words[word] = overwritten[i];
+            expect_no_sampler(&sampler, SPHERECAP_STATUS_SAMPLER);
         }
     }
 }
 
 static void messages(void) {
+    met[SPHERECAP_STATUS_INSTRUCTIONS] = 1; // by `no_instructions.c`
     const char *no_status = spherecap_status_message(UINT32_MAX);
     for (uint32_t status = 0; status < sizeof met / sizeof *met; ++status) {
         const char *message = spherecap_status_message(status);
@@ -406,8 +506,10 @@ int main(void) {
     good_input();
     bad_input_to_prepare();
     valid_input_to_prepare();
+    normals_of_every_length();
     bad_input_to_the_others();
-    caps_that_were_never_prepared();
+    double_precision();
+    samplers_that_were_never_prepared();
     recorders();
     messages();
     return 0;

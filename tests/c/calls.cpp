@@ -1,6 +1,7 @@
-// Calls every function from C++17, and from two threads at once: a cap may be shared, and nothing else is.
+// Calls every function from C++17, and from two threads at once: a sampler may be shared, and nothing else
+// is.
 
-#include "spherecap.h" // first, so that it must be self-contained
+#include "spherecap_record.h" // first, so that it must be self-contained
 
 #include "check.h"
 
@@ -14,21 +15,21 @@
 #include <vector>
 
 // Plain data, as the header says: on the stack, in arrays, copied as bytes.
-static_assert(std::is_trivial_v<spherecap_cap_t> && std::is_standard_layout_v<spherecap_cap_t>);
+static_assert(std::is_trivial_v<spherecap_sampler_t> && std::is_standard_layout_v<spherecap_sampler_t>);
+static_assert(std::is_trivial_v<spherecap_receiver_t> && std::is_standard_layout_v<spherecap_receiver_t>);
 static_assert(std::is_trivial_v<spherecap_sample_t> && std::is_standard_layout_v<spherecap_sample_t>);
 static_assert(std::is_trivial_v<spherecap_offset_t> && std::is_standard_layout_v<spherecap_offset_t>);
 static_assert(std::is_trivial_v<spherecap_density_t> && std::is_standard_layout_v<spherecap_density_t>);
 
 namespace {
 
-constexpr std::array<float, 3> zenith{0.0f, 0.0f, 1.0f};
 constexpr std::array<float, 3> ahead{3.0f, 0.0f, 0.5f};
 
-spherecap_cap_t prepare(uint32_t technique, float radius) {
-    spherecap_cap_t cap;
-    CHECK(spherecap_prepare(technique, SPHERECAP_HEMISPHERES_BOTH, 0.125f, zenith.data(), ahead.data(),
-                            radius, &cap) == SPHERECAP_STATUS_OK);
-    return cap;
+spherecap_sampler_t prepare(uint32_t technique, float radius) {
+    const spherecap_receiver_t receiver{{0.0f, 0.0f, 1.0f}, technique, SPHERECAP_HEMISPHERES_BOTH, 0.125f};
+    spherecap_sampler_t sampler;
+    CHECK(spherecap_prepare(&receiver, ahead.data(), radius, &sampler) == SPHERECAP_STATUS_OK);
+    return sampler;
 }
 
 void call_everything() {
@@ -36,35 +37,33 @@ void call_everything() {
     CHECK(std::string_view(spherecap_version()).find('.') != std::string_view::npos);
     CHECK(std::string_view(spherecap_status_message(SPHERECAP_STATUS_OK)) == "success");
 
-    const spherecap_cap_t cap = prepare(SPHERECAP_TECHNIQUE_PROJECTED, 1.0f);
+    const spherecap_sampler_t sampler = prepare(SPHERECAP_TECHNIQUE_PROJECTED, 1.0f);
     spherecap_sample_t sample;
-    CHECK(spherecap_sample(&cap, 0.25f, 0.75f, &sample) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_sample(&sampler, 0.25f, 0.75f, &sample) == SPHERECAP_STATUS_OK);
     spherecap_density_t density;
-    CHECK(spherecap_pdf(&cap, &sample.offset, &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_pdf(&sampler, &sample.offset, &density) == SPHERECAP_STATUS_OK);
     CHECK(std::memcmp(&density, &sample.density, sizeof density) == 0);
-    CHECK(spherecap_pdf_direction(&cap, sample.direction, &density) == SPHERECAP_STATUS_OK);
-    CHECK(spherecap_pdf_on_sphere(&cap, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_pdf_direction(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_pdf_on_sphere(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
     CHECK(density.solid_angle > 0.0f);
     std::array<float, 2> u;
-    CHECK(spherecap_invert(&cap, &sample.offset, u.data()) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_invert(&sampler, &sample.offset, u.data()) == SPHERECAP_STATUS_OK);
     float solid_angle, projected_solid_angle, bound;
-    CHECK(spherecap_solid_angle(&cap, &solid_angle) == SPHERECAP_STATUS_OK);
-    CHECK(spherecap_projected_solid_angle(&cap, &projected_solid_angle) == SPHERECAP_STATUS_OK);
-    CHECK(spherecap_density_bound(&cap, &bound) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_solid_angle(&sampler, &solid_angle) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_projected_solid_angle(&sampler, &projected_solid_angle) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_density_bound(&sampler, &bound) == SPHERECAP_STATUS_OK);
     CHECK(projected_solid_angle < solid_angle && bound >= 1.0f);
 
-    CHECK(spherecap_sample(&cap, std::nanf(""), 0.5f, &sample) == SPHERECAP_STATUS_RANDOM_NUMBER);
-    CHECK(sample.density.solid_angle == 0.0f);
     CHECK(spherecap_sample(nullptr, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_NULL_POINTER);
 }
 
-// Samples of a shared cap and of caps of its own.
-std::vector<spherecap_sample_t> samples(const spherecap_cap_t &shared) {
+// Samples of a shared sampler and of caps of its own.
+std::vector<spherecap_sample_t> samples(const spherecap_sampler_t &shared) {
     constexpr int count = 20000;
     std::vector<spherecap_sample_t> all(2 * count);
     for (int i = 0; i < count; ++i) {
         const float u = static_cast<float>(i) / count;
-        const spherecap_cap_t own = prepare(static_cast<uint32_t>(i % 3), 0.5f + u);
+        const spherecap_sampler_t own = prepare(static_cast<uint32_t>(i % 3), 0.5f + u);
         CHECK(spherecap_sample(&shared, u, 1.0f - u, &all[2 * i]) == SPHERECAP_STATUS_OK);
         CHECK(spherecap_sample(&own, u, 1.0f - u, &all[2 * i + 1]) == SPHERECAP_STATUS_OK);
     }
@@ -72,7 +71,7 @@ std::vector<spherecap_sample_t> samples(const spherecap_cap_t &shared) {
 }
 
 void call_from_two_threads() {
-    const spherecap_cap_t shared = prepare(SPHERECAP_TECHNIQUE_PROJECTED, 1.0f);
+    const spherecap_sampler_t shared = prepare(SPHERECAP_TECHNIQUE_PROJECTED, 1.0f);
     std::vector<spherecap_sample_t> first, second;
     std::thread a([&] { first = samples(shared); });
     std::thread b([&] { second = samples(shared); });
@@ -101,17 +100,45 @@ void call_the_batches() {
     samples.direction[1] = y.data();
     samples.direction[2] = z.data();
     samples.density.solid_angle = pdf.data();
-    CHECK(spherecap_batch_sample(&batch, halves.data(), halves.data(), &samples) == SPHERECAP_STATUS_OK);
-    CHECK(*std::min_element(pdf.begin(), pdf.end()) > 0.0f);
+    const spherecap_batch_random_t random{halves.data(), halves.data()};
+    std::size_t refused = 1;
+    CHECK(spherecap_batch_sample(&batch, &random, &samples, &refused) == SPHERECAP_STATUS_OK);
+    CHECK(refused == 0 && *std::min_element(pdf.begin(), pdf.end()) > 0.0f);
 
-    const std::array<const float *, 3> directions{x.data(), y.data(), z.data()};
-    const std::array<const float *, 3> offsets{zeros.data(), zeros.data(), halves.data()};
+    const spherecap_batch_directions_t directions{x.data(), y.data(), z.data()};
+    const spherecap_batch_offsets_t offsets{zeros.data(), zeros.data(), halves.data()};
     const spherecap_batch_densities_t densities{pdf.data(), nullptr};
-    CHECK(spherecap_batch_pdf(&batch, offsets.data(), &densities) == SPHERECAP_STATUS_OK);
-    CHECK(spherecap_batch_pdf_direction(&batch, directions.data(), &densities) == SPHERECAP_STATUS_OK);
-    CHECK(spherecap_batch_pdf_on_sphere(&batch, directions.data(), &densities) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_batch_pdf(&batch, &offsets, &densities, nullptr) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_batch_pdf_direction(&batch, &directions, &densities, nullptr) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_batch_pdf_on_sphere(&batch, &directions, &densities, nullptr) == SPHERECAP_STATUS_OK);
+    CHECK(*std::min_element(pdf.begin(), pdf.end()) > 0.0f);
+    const spherecap_batch_measures_t measures{nullptr, pdf.data()};
+    CHECK(spherecap_batch_measures(&batch, &measures, nullptr) == SPHERECAP_STATUS_OK);
     CHECK(*std::min_element(pdf.begin(), pdf.end()) > 0.0f);
     CHECK(!std::string_view(spherecap_batch_instructions()).empty());
+}
+
+// The functions in double precision.
+void call_in_double_precision() {
+    const spherecap_receiver_f64_t receiver{
+        {0.0, 0.0, 1.0}, SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_BOTH, 0.125};
+    const std::array<double, 3> centre{3.0, 0.0, 0.5};
+    spherecap_sampler_f64_t sampler;
+    CHECK(spherecap_prepare_f64(&receiver, centre.data(), 1.0, &sampler) == SPHERECAP_STATUS_OK);
+    spherecap_sample_f64_t sample;
+    CHECK(spherecap_sample_f64(&sampler, 0.25, 0.75, &sample) == SPHERECAP_STATUS_OK);
+    spherecap_density_f64_t density;
+    CHECK(spherecap_pdf_f64(&sampler, &sample.offset, &density) == SPHERECAP_STATUS_OK);
+    CHECK(std::memcmp(&density, &sample.density, sizeof density) == 0);
+    CHECK(spherecap_pdf_direction_f64(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_pdf_on_sphere_f64(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    std::array<double, 2> u;
+    CHECK(spherecap_invert_f64(&sampler, &sample.offset, u.data()) == SPHERECAP_STATUS_OK);
+    double solid_angle, projected_solid_angle, bound;
+    CHECK(spherecap_solid_angle_f64(&sampler, &solid_angle) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_projected_solid_angle_f64(&sampler, &projected_solid_angle) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_density_bound_f64(&sampler, &bound) == SPHERECAP_STATUS_OK);
+    CHECK(projected_solid_angle < solid_angle && bound >= 1.0);
 }
 
 // A graph without edges: every node is new.
@@ -136,17 +163,17 @@ void call_the_recorder() {
         nullptr};
     // Three inputs, and for the rest constants.
     const spherecap_term_t input{add(&alive), 0.0f}, zero{0, 0.0f}, one{0, 1.0f};
-    const spherecap_recorded_cap_t cap{SPHERECAP_TECHNIQUE_PROJECTED,
-                                       SPHERECAP_HEMISPHERES_FRONT,
-                                       zero,
-                                       {zero, zero, one},
-                                       {input, input, input},
-                                       one};
+    const spherecap_recorded_input_t inputs{SPHERECAP_TECHNIQUE_PROJECTED,
+                                            SPHERECAP_HEMISPHERES_FRONT,
+                                            zero,
+                                            {zero, zero, one},
+                                            {input, input, input},
+                                            one};
     const std::array<spherecap_term_t, 3> terms{one, zero, zero};
     spherecap_recorded_sample_t sample;
-    CHECK(spherecap_record_sample(&recorder, &cap, terms.data(), &sample) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_record_sample(&recorder, &inputs, terms.data(), &sample) == SPHERECAP_STATUS_OK);
     spherecap_recorded_density_t density;
-    CHECK(spherecap_record_pdf_on_sphere(&recorder, &cap, terms.data(), &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_record_pdf_on_sphere(&recorder, &inputs, terms.data(), &density) == SPHERECAP_STATUS_OK);
     CHECK(std::count(alive.begin(), alive.end(), true) == 1 + 11 + 2);
 }
 
@@ -155,6 +182,7 @@ void call_the_recorder() {
 int main() {
     call_everything();
     call_the_batches();
+    call_in_double_precision();
     call_the_recorder();
     call_from_two_threads();
 }

@@ -1,8 +1,10 @@
-// What the C and C++ test programs share: a check that stops the program, and memory that the library cannot
-// leave.
+// What the C and C++ test programs share: a check that stops the program, memory that the library cannot
+// leave, and a preparation by numbers.
 
 #ifndef CHECK_H
 #define CHECK_H
+
+#include "spherecap.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,6 +41,17 @@ static inline void *guarded_memory(size_t size) {
     CHECK(pages != (char *)MAP_FAILED);
     CHECK(mprotect(pages + page, page, PROT_NONE) == 0);
     return pages + page - size;
+}
+
+// `spherecap_prepare` with a receiver of these; of none, if there is no normal.
+static inline uint32_t prepare_for(uint32_t technique, uint32_t hemispheres, float defensive,
+                                   const float *normal, const float *centre, float radius,
+                                   spherecap_sampler_t *sampler) {
+    spherecap_receiver_t receiver = {{0.0f, 0.0f, 0.0f}, technique, hemispheres, defensive};
+    if (normal != NULL) {
+        memcpy(receiver.normal, normal, sizeof receiver.normal);
+    }
+    return spherecap_prepare(normal == NULL ? NULL : &receiver, centre, radius, sampler);
 }
 
 #endif

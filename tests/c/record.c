@@ -6,7 +6,7 @@
 // Input: as of `bits.c`. Output: how many lines there were, how many of them had something to sample, and the
 // most operations of a sample and of a density, and the most conditionals of each.
 
-#include "spherecap.h"
+#include "spherecap_record.h"
 
 #include "check.h"
 
@@ -198,17 +198,17 @@ static spherecap_term_t term(graph_t *graph, float value) {
     return term;
 }
 
-static spherecap_recorded_cap_t recorded_cap(graph_t *graph, const uint32_t *words, const float *in) {
-    spherecap_recorded_cap_t cap;
-    cap.technique = words[0];
-    cap.hemispheres = words[1];
-    cap.defensive = term(NULL, in[2]); // a constant, as renderers have it
+static spherecap_recorded_input_t recorded_input(graph_t *graph, const uint32_t *words, const float *in) {
+    spherecap_recorded_input_t input;
+    input.technique = words[0];
+    input.hemispheres = words[1];
+    input.defensive = term(NULL, in[2]); // a constant, as renderers have it
     for (int i = 0; i < 3; ++i) {
-        cap.normal[i] = term(graph, in[3 + i]);
-        cap.centre[i] = term(graph, in[6 + i]);
+        input.normal[i] = term(graph, in[3 + i]);
+        input.centre[i] = term(graph, in[6 + i]);
     }
-    cap.radius = term(graph, in[9]);
-    return cap;
+    input.radius = term(graph, in[9]);
+    return input;
 }
 
 static void expect_bits(const graph_t *graph, uint64_t node, float expected) {
@@ -241,11 +241,11 @@ static void check_sample(most_t *most, const spherecap_recorder_t *recorder, con
                          int is_sampled) {
     start();
     graph_t *inputs = with_nodes ? &graph : NULL;
-    const spherecap_recorded_cap_t cap = recorded_cap(inputs, words, in);
+    const spherecap_recorded_input_t input = recorded_input(inputs, words, in);
     const spherecap_term_t u[2] = {term(inputs, in[10]), term(inputs, in[11])};
     const unsigned before = graph.alive;
     spherecap_recorded_sample_t sample;
-    CHECK(spherecap_record_sample(recorder, &cap, u, &sample) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_record_sample(recorder, &input, u, &sample) == SPHERECAP_STATUS_OK);
     CHECK(graph.alive == before + 11); // what the sample holds
     for (int i = 0; i < 3; ++i) {
         expect_bits(&graph, sample.direction[i], expected->direction[i]);
@@ -272,12 +272,12 @@ static void check_density(most_t *most, const spherecap_recorder_t *recorder, co
                           const spherecap_density_t *expected) {
     start();
     graph_t *inputs = with_nodes ? &graph : NULL;
-    const spherecap_recorded_cap_t cap = recorded_cap(inputs, words, in);
+    const spherecap_recorded_input_t input = recorded_input(inputs, words, in);
     const spherecap_term_t d[3] = {term(inputs, direction[0]), term(inputs, direction[1]),
                                    term(inputs, direction[2])};
     const unsigned before = graph.alive;
     spherecap_recorded_density_t density;
-    CHECK(spherecap_record_pdf_on_sphere(recorder, &cap, d, &density) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_record_pdf_on_sphere(recorder, &input, d, &density) == SPHERECAP_STATUS_OK);
     CHECK(graph.alive == before + 2);
     expect_bits(&graph, density.solid_angle, expected->solid_angle);
     expect_bits(&graph, density.projected_solid_angle, expected->projected_solid_angle);
@@ -291,20 +291,20 @@ static void check_density(most_t *most, const spherecap_recorder_t *recorder, co
 static void check_failures(const spherecap_recorder_t *recorder, const uint32_t *words, const float *in) {
     for (unsigned n = 9;; n += 7) {
         start();
-        const spherecap_recorded_cap_t cap = recorded_cap(&graph, words, in);
+        const spherecap_recorded_input_t input = recorded_input(&graph, words, in);
         const spherecap_term_t u[2] = {term(&graph, in[10]), term(&graph, in[11])};
         const unsigned before = graph.alive;
         graph.fails_at = n;
         spherecap_recorded_sample_t sample;
         spherecap_recorded_density_t density;
         fill_with_rubbish(&sample, sizeof sample);
-        if (spherecap_record_sample(recorder, &cap, u, &sample) == SPHERECAP_STATUS_OK) {
+        if (spherecap_record_sample(recorder, &input, u, &sample) == SPHERECAP_STATUS_OK) {
             CHECK(n > 100);
             return;
         }
         CHECK(is_all_zero(&sample, sizeof sample) && graph.alive == before);
         graph.depth = 0;
-        CHECK(spherecap_record_pdf_on_sphere(recorder, &cap, cap.normal, &density) ==
+        CHECK(spherecap_record_pdf_on_sphere(recorder, &input, input.normal, &density) ==
               SPHERECAP_STATUS_RECORDER);
         CHECK(is_all_zero(&density, sizeof density) && graph.alive == before);
     }
@@ -319,11 +319,11 @@ int main(void) {
         for (int i = 0; i < WORDS_IN; ++i) {
             in[i] = as_float(words[i]);
         }
-        spherecap_cap_t cap;
+        spherecap_sampler_t sampler;
         spherecap_sample_t sample;
         spherecap_density_t density;
-        const uint32_t status = spherecap_prepare(words[0], words[1], in[2], in + 3, in + 6, in[9], &cap);
-        CHECK(spherecap_sample(&cap, in[10], in[11], &sample) == status);
+        const uint32_t status = prepare_for(words[0], words[1], in[2], in + 3, in + 6, in[9], &sampler);
+        CHECK(spherecap_sample(&sampler, in[10], in[11], &sample) == status);
         const int is_sampled = status == SPHERECAP_STATUS_OK;
         const float other[3] = {0.6f, 0.0f, 0.8f}, too_long[3] = {1.0f, 0.0f, 0.1f};
         const float *directions[3] = {is_sampled ? sample.direction : other, other, too_long};
@@ -334,7 +334,7 @@ int main(void) {
             for (int with_nodes = 0; with_nodes < 2; ++with_nodes) {
                 check_sample(&of_samples, recorder, words, in, with_nodes, &sample, is_sampled);
                 for (int j = 0; j < 3; ++j) {
-                    const uint32_t expected = spherecap_pdf_on_sphere(&cap, directions[j], &density);
+                    const uint32_t expected = spherecap_pdf_on_sphere(&sampler, directions[j], &density);
                     CHECK(status != SPHERECAP_STATUS_OK || (expected == SPHERECAP_STATUS_OK) == (j < 2));
                     check_density(&of_densities, recorder, words, in, with_nodes, directions[j], &density);
                 }

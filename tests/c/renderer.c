@@ -151,20 +151,20 @@ static int is_occluded(const scene_t *scene, const light_t *light, vec_t point, 
 // normal is of unit length, on the side that is looked at; u0 and u1 are random numbers in [0, 1).
 static double direct_light(const scene_t *scene, const light_t *light, uint32_t technique, vec_t point,
                            vec_t normal, double albedo, float u0, float u1) {
-    float n[3], centre[3];
+    spherecap_receiver_t receiver = {{0, 0, 0}, technique, SPHERECAP_HEMISPHERES_FRONT, 0};
+    float centre[3];
     for (int i = 0; i < 3; ++i) {
-        n[i] = (float)normal.x[i];
+        receiver.normal[i] = (float)normal.x[i];
         centre[i] = (float)(light->centre.x[i] - point.x[i]);
     }
-    spherecap_cap_t cap;
+    spherecap_sampler_t sampler;
     spherecap_sample_t sample;
-    uint32_t status =
-        spherecap_prepare(technique, SPHERECAP_HEMISPHERES_FRONT, 0, n, centre, (float)light->radius, &cap);
+    uint32_t status = spherecap_prepare(&receiver, centre, (float)light->radius, &sampler);
     if (status == SPHERECAP_STATUS_INVISIBLE || status == SPHERECAP_STATUS_INSIDE) {
         return 0; // below the horizon, or around the point: a light that lights nothing here
     }
     if (status == SPHERECAP_STATUS_OK) {
-        status = spherecap_sample(&cap, u0, u1, &sample);
+        status = spherecap_sample(&sampler, u0, u1, &sample);
     }
     if (status != SPHERECAP_STATUS_OK) {
         fail("a light cannot be sampled: ", spherecap_status_message(status));
@@ -405,7 +405,7 @@ static unsigned long long whole_number(const char *text, unsigned long long low,
 }
 
 int main(int argc, char **argv) {
-    static const char *const techniques[] = {"solid_angle", "projected_bounded", "projected"};
+    static const char *const techniques[] = {"projected", "projected_bounded", "solid_angle"}; // in C's order
     static const char *const samplers[] = {"independent", "lattice"};
     if (argc != 5) {
         fail("usage: renderer solid_angle|projected_bounded|projected independent|lattice SPP SEED",

@@ -33,7 +33,7 @@ pub fn errors(sampler: &Sampler<f64>, count: u32, random: &mut Random) -> [[f64;
     let weight = |offset: Offset<f64>| {
         // The integral is over projected solid angle: a weight of one for the uniform techniques, times the area.
         let [a, b] = integrands(offset, s);
-        let density = sampler.pdf_on_sphere(offset).projected_solid_angle;
+        let density = sampler.pdf_in_cap(offset).projected_solid_angle;
         let weight = 1.0 / (density * sampler.cap().projected_solid_angle());
         [a * weight, b * weight]
     };

@@ -6,7 +6,7 @@ pub mod distortion;
 pub mod quadrature;
 pub mod strata;
 
-use spherecap::{Hemispheres, Lane, Offset, Sampler, Scalar, Strategy, Technique, Vec3};
+use spherecap::{Hemispheres, Lane, Offset, Receiver, Refusal, Sampler, Scalar, Strategy, Technique, Vec3};
 
 /// A normal, a centre and a radius, in f64 but exactly representable in f32.
 #[derive(Clone, Copy, Debug)]
@@ -21,9 +21,13 @@ pub fn lanes<L: Lane>(v: [f64; 3]) -> Vec3<L> {
 }
 
 impl Scene {
+    pub fn prepare<F: Scalar>(&self, strategy: Strategy<F>) -> Result<Sampler<F>, Refusal> {
+        let receiver = Receiver { normal: lanes(self.normal), strategy };
+        Sampler::prepare(receiver, lanes::<F>(self.centre), F::lit(self.radius))
+    }
+
     pub fn sampler<F: Scalar>(&self, strategy: Strategy<F>) -> Sampler<F> {
-        Sampler::prepare(strategy, lanes::<F>(self.normal), lanes(self.centre), F::lit(self.radius))
-            .unwrap_or_else(|refusal| panic!("{self:?}: {refusal}"))
+        self.prepare(strategy).unwrap_or_else(|refusal| panic!("{self:?}: {refusal}"))
     }
 
     /// A sphere whose centre is at the distance 1 and the elevation `sin = Z` in the plane of x and z.

@@ -20,16 +20,18 @@ CC = os.environ.get("CC", "cc")
 # The same for C99 and C++17: what a first program does.
 PROGRAM = """
 #include <spherecap.h>
+#include <spherecap_record.h>
 #include <stdio.h>
 
 int main(void) {
-    const float normal[3] = {0, 0, 1}, centre[3] = {0, 0, 2};
-    spherecap_cap_t cap;
+    const spherecap_receiver_t floor = {{0, 0, 1}, SPHERECAP_TECHNIQUE_PROJECTED,
+                                        SPHERECAP_HEMISPHERES_FRONT, 0};
+    const float centre[3] = {0, 0, 2};
+    spherecap_sampler_t sampler;
     float irradiance = 0;
-    uint32_t status = spherecap_prepare(SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_FRONT, 0,
-                                        normal, centre, 1, &cap);
+    uint32_t status = spherecap_prepare(&floor, centre, 1, &sampler);
     if (status == SPHERECAP_STATUS_OK)
-        status = spherecap_projected_solid_angle(&cap, &irradiance);
+        status = spherecap_projected_solid_angle(&sampler, &irradiance);
     printf("%s %u %.5f\\n", spherecap_version(), spherecap_abi_version(), irradiance);
     return (int)status;
 }
@@ -148,14 +150,15 @@ def test_the_shared_library_exports_the_header_and_nothing_else(prefix: Path) ->
     """And has its name, and links that lead to it."""
     library = prefix / "lib/libspherecap.so"
     assert os.readlink(library) == SONAME
-    assert os.readlink(prefix / "lib/libspherecap.so.1") == f"libspherecap.so.{VERSION}"
+    assert os.readlink(prefix / "lib" / SONAME) == f"libspherecap.so.{VERSION}"
     assert f"soname: [{SONAME}]" in run("readelf", "-d", library, folder=prefix)
     symbols = [
         line.split() for line in run("readelf", "-W", "--dyn-syms", library, folder=prefix).splitlines()
     ]
     exported = {s[7] for s in symbols if len(s) >= 8 and s[4] in ("GLOBAL", "WEAK") and s[6] != "UND"}
-    declared = set(re.findall(r"^\w[\w ]*\*?\b(spherecap_\w+)\(", HEADER, re.MULTILINE))
-    assert len(declared) >= 14
+    headers = HEADER + (REPOSITORY / "include/spherecap_record.h").read_text()
+    declared = set(re.findall(r"^\w[\w ]*\*?\b(spherecap_\w+)\(", headers, re.MULTILINE))
+    assert len(declared) >= 29
     assert exported == declared
 
 
@@ -167,7 +170,7 @@ def test_uninstall_leaves_nothing_but_what_was_there(tmp_path: Path) -> None:
     other.touch()
     make("install", f"DESTDIR={stage}", "PREFIX=/usr")
     installed = {path.relative_to(stage).as_posix() for path in stage.rglob("*") if not path.is_dir()}
-    assert len(installed) == 1 + 9, installed
+    assert len(installed) == 1 + 10, installed
     for path in stage.rglob("*"):
         if path.is_file() and path.suffix in (".pc", ".cmake"):
             assert str(stage) not in path.read_text()
@@ -183,17 +186,24 @@ def blocks(page: Path, language: str) -> list[str]:
 
 
 def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
-    """Its programs, compiled by its lines for pkg-config, and its list of what is installed."""
+    """Its programs, in both languages, by its lines for pkg-config, and its list of what is installed."""
     page = REPOSITORY / "docs/c.md"
     single, batch = blocks(page, "c")
     _, compile_lines = blocks(page, "sh")
 
     def printed_by(program: str, compile_line: str) -> list[str]:
         (tmp_path / "program.c").write_text(program)
-        run("sh", "-ec", compile_line, folder=tmp_path, PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig"))
+        warnings = "-pedantic -Wall -Wextra -Werror"
+        line = compile_line.replace("program.c", f"{warnings} program.c")
+        run("sh", "-ec", line, folder=tmp_path, PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig"))
         return run(tmp_path / "program", folder=tmp_path, LD_LIBRARY_PATH=str(prefix / "lib")).split()
 
-    for line in compile_lines.splitlines():
+    lines = compile_lines.splitlines()
+    in_cpp = [
+        line.replace("cc -std=c99", "c++ -std=c++17 -x c++").replace("program.c", "program.c -x none")
+        for line in lines
+    ]
+    for line in lines + in_cpp:
         reflected = printed_by(single, line)
         assert len(reflected) == 4
         assert len(set(reflected)) == 1, "no noise"

@@ -26,24 +26,25 @@ void batch(uint32_t technique, uint32_t hemispheres, float defensive, const floa
            float *sample, float *pdf) {
     for (int i = 0; i < count; ++i, p += 3, n += 3, u += 2, direction += 3, sample += 11, ++pdf) {
         const float c[3] = {center[0] - p[0], center[1] - p[1], center[2] - p[2]};
-        spherecap_cap_t cap;
+        const spherecap_receiver_t receiver = {{n[0], n[1], n[2]}, technique, hemispheres, defensive};
+        spherecap_sampler_t sampler;
         spherecap_sample_t s;
         spherecap_density_t density;
-        spherecap_prepare(technique, hemispheres, defensive, n, c, radius, &cap);
-        spherecap_sample(&cap, u[0], u[1], &s);
+        spherecap_prepare(&receiver, c, radius, &sampler);
+        spherecap_sample(&sampler, u[0], u[1], &s);
         memcpy(sample, s.direction, 12);
         memcpy(sample + 3, s.normal, 12);
         sample[6] = s.distance;
         sample[7] = s.density.solid_angle;
         for (int j = 0; j < 3; ++j)
             sample[8 + j] = fmaf(s.normal[j], radius, center[j]);
-        spherecap_pdf_on_sphere(&cap, direction, &density);
+        spherecap_pdf_on_sphere(&sampler, direction, &density);
         *pdf = density.solid_angle;
     }
 }
 """
 
-TECHNIQUES = ["solid_angle", "projected_bounded", "projected"]
+TECHNIQUES = ["projected", "projected_bounded", "solid_angle"]
 HEMISPHERES = ["front", "both"]
 MIXTURES = [
     ("projected", "front", 0.0),

@@ -3,7 +3,7 @@
 use super::Packet;
 #[cfg(target_arch = "x86_64")]
 use super::{avx2::F32x8, avx512::F32x16};
-use crate::lane::Lane;
+use crate::lane::{Lane, Mask};
 use crate::sampling::Strategy;
 use core::{ffi::CStr, fmt};
 
@@ -25,7 +25,7 @@ pub enum Instructions {
     Portable,
     /// Eight: AVX2 and FMA.
     Avx2,
-    /// Sixteen: AVX-512F.
+    /// Sixteen: AVX-512F, and all of the above.
     Avx512,
 }
 
@@ -53,7 +53,7 @@ impl Instructions {
             #[cfg(target_arch = "x86_64")]
             Self::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
             #[cfg(target_arch = "x86_64")]
-            Self::Avx512 => is_x86_feature_detected!("avx512f"),
+            Self::Avx512 => is_x86_feature_detected!("avx512f") && Self::Avx2.are_available(),
             #[cfg(not(target_arch = "x86_64"))]
             _ => false,
         }
@@ -75,12 +75,12 @@ impl fmt::Display for Instructions {
     }
 }
 
-/// What is computed for each element of the arrays: numbers in, numbers out.
+/// What is computed for each element of the arrays: numbers in, numbers out, and whether the input was bad.
 pub(crate) trait Kernel<const INPUTS: usize, const OUTPUTS: usize> {
-    fn run<L: Lane>(strategy: Strategy<L>, inputs: [L; INPUTS]) -> [L; OUTPUTS];
+    fn run<L: Lane>(strategy: Strategy<L>, inputs: [L; INPUTS]) -> ([L; OUTPUTS], L::Mask);
 }
 
-/// Runs a kernel over arrays of one length.
+/// Runs a kernel over arrays of one length, and counts where the input was bad.
 ///
 /// # Panics
 /// If they differ in length.
@@ -89,7 +89,7 @@ pub(crate) fn run_slices<K: Kernel<I, O>, const I: usize, const O: usize>(
     strategy: Strategy<f32>,
     inputs: [&[f32]; I],
     outputs: [Option<&mut [f32]>; O],
-) {
+) -> usize {
     let count = inputs[0].len();
     let check = |length: usize| {
         assert!(
@@ -106,7 +106,7 @@ pub(crate) fn run_slices<K: Kernel<I, O>, const I: usize, const O: usize>(
     unsafe { run::<K, I, O>(instructions, strategy, &inputs, &outputs, count) }
 }
 
-/// Runs a kernel over arrays of `count` numbers.
+/// Runs a kernel over arrays of `count` numbers, and counts where the input was bad.
 ///
 /// # Safety
 /// The CPU has the instructions. `count` numbers can be read at each input, and written at each output that is not NULL,
@@ -118,7 +118,7 @@ pub(crate) unsafe fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
     count: usize,
-) {
+) -> usize {
     // SAFETY: the caller's promise.
     unsafe {
         match instructions {
@@ -139,18 +139,19 @@ pub(crate) unsafe fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
 unsafe fn any_length<const WIDTH: usize, const I: usize, const O: usize>(
-    packets: unsafe fn(Strategy<f32>, &[*const f32; I], &[*mut f32; O], usize),
+    packets: unsafe fn(Strategy<f32>, &[*const f32; I], &[*mut f32; O], usize) -> usize,
     strategy: Strategy<f32>,
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
     count: usize,
-) {
+) -> usize {
     let rest = count % WIDTH;
     let whole = count - rest;
+    let mut bad = 0;
     // SAFETY: the caller's promise; `rest` numbers fit into a packet.
     unsafe {
         if whole > 0 {
-            packets(strategy, inputs, outputs, whole);
+            bad += packets(strategy, inputs, outputs, whole);
         }
         if rest > 0 {
             let (mut filled, mut results) = ([[0.0_f32; WIDTH]; I], [[0.0_f32; WIDTH]; O]);
@@ -162,7 +163,7 @@ unsafe fn any_length<const WIDTH: usize, const I: usize, const O: usize>(
             for i in 0..O {
                 to[i] = results[i].as_mut_ptr();
             }
-            packets(strategy, &from, &to, WIDTH);
+            bad += packets(strategy, &from, &to, rest);
             for i in 0..O {
                 if !outputs[i].is_null() {
                     results[i].as_ptr().copy_to_nonoverlapping(outputs[i].add(whole), rest);
@@ -170,6 +171,7 @@ unsafe fn any_length<const WIDTH: usize, const I: usize, const O: usize>(
             }
         }
     }
+    bad
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -179,7 +181,7 @@ unsafe fn avx512<K: Kernel<I, O>, const I: usize, const O: usize>(
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
     count: usize,
-) {
+) -> usize {
     // SAFETY: the caller's promise.
     unsafe { packets::<F32x16, K, I, O>(strategy, inputs, outputs, count) }
 }
@@ -191,41 +193,55 @@ unsafe fn avx2<K: Kernel<I, O>, const I: usize, const O: usize>(
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
     count: usize,
-) {
+) -> usize {
     // SAFETY: the caller's promise.
     unsafe { packets::<F32x8, K, I, O>(strategy, inputs, outputs, count) }
 }
 
-/// As [`run`], for a `count` that is a multiple of the packet's width.
+/// As [`run`], but whole packets are read and written, also where only some numbers of the last one count.
 #[inline(always)]
 unsafe fn packets<P: Packet, K: Kernel<I, O>, const I: usize, const O: usize>(
     strategy: Strategy<f32>,
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
     count: usize,
-) {
+) -> usize {
+    let mut bad = 0;
     let Strategy { technique, hemispheres, defensive } = strategy;
     let strategy = Strategy { technique, hemispheres, defensive: P::lit(f64::from(defensive)) };
     for first in (0..count).step_by(P::WIDTH) {
         let mut packets = [P::lit(0.0); I];
         for i in 0..I {
-            // SAFETY: `first + P::WIDTH` is `count` at most; the caller's promise.
+            // SAFETY: the caller's promise.
             packets[i] = unsafe { P::load(inputs[i].add(first)) };
         }
-        let results = K::run(strategy, packets);
+        let (results, is_bad) = K::run(strategy, packets);
         for i in 0..O {
             if !outputs[i].is_null() {
                 // SAFETY: as above.
                 unsafe { results[i].store(outputs[i].add(first)) };
             }
         }
+        if is_bad.any() {
+            const { assert!(P::WIDTH <= WIDEST) };
+            let mut ones = [0.0_f32; WIDEST];
+            // SAFETY: no packet is wider.
+            unsafe { P::select(is_bad, P::lit(1.0), P::lit(0.0)).store(ones.as_mut_ptr()) };
+            for one in &ones[..P::WIDTH.min(count - first)] {
+                bad += usize::from(*one > 0.0);
+            }
+        }
     }
+    bad
 }
+
+/// Numbers of the widest packet.
+const WIDEST: usize = 16;
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lane::{lit, Mask};
+    use crate::lane::lit;
 
     fn truth(x: bool) -> f64 {
         f64::from(u8::from(x))
@@ -236,10 +252,10 @@ mod tests {
 
     impl Kernel<3, 20> for Operations {
         #[inline(always)]
-        fn run<L: Lane>(strategy: Strategy<L>, [a, b, c]: [L; 3]) -> [L; 20] {
+        fn run<L: Lane>(strategy: Strategy<L>, [a, b, c]: [L; 3]) -> ([L; 20], L::Mask) {
             let number = |mask: L::Mask| L::select(mask, a, strategy.defensive);
             let (less, at_most) = (a.lt(b), b.le(c));
-            [
+            let results = [
                 a + b,
                 a - b,
                 a * b,
@@ -262,7 +278,8 @@ mod tests {
                 a.abs().min(L::lit(2_147_483_520.0)).float_of_bits(),
                 // Wrong, unless some are less where one is, and all only if none is not.
                 L::select(less, L::lit(truth(less.any())), L::lit(truth(!less.all()))),
-            ]
+            ];
+            (results, less)
         }
     }
 
@@ -293,7 +310,8 @@ mod tests {
         let results = |instructions| {
             let mut results = [(); 20].map(|()| vec![0.0_f32; a.len()]);
             let outputs = results.each_mut().map(|result| Some(&mut result[..]));
-            run_slices::<Operations, 3, 20>(instructions, strategy, [&a, &b, &c], outputs);
+            let less = run_slices::<Operations, 3, 20>(instructions, strategy, [&a, &b, &c], outputs);
+            assert_eq!(less, a.iter().zip(&b).filter(|(a, b)| a < b).count());
             results
         };
         let expected = results(Instructions::Portable);

@@ -1,14 +1,14 @@
 //! The part of the C ABI that records the kernels into a caller's expression graph. No mathematics.
 //!
-//! `include/spherecap.h` is generated from it, too.
+//! `include/spherecap_record.h` is generated from it.
 
 #![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
 
-use crate::ffi::{hemispheres, spherecap_status_t as Status, store, technique};
+use super::calls::{enums, store, NULL_POINTER};
+use super::single::spherecap_status_t as Status;
 use crate::lane::recorded::{Backend, Conditional, NodeId, Op, Recorded, RecordedMask, Tape, Wanted};
 use crate::lane::Lane;
-use crate::prepare::is_unit;
-use crate::sampling::{Sample, Sampler, Strategy};
+use crate::sampling::{Receiver, Sample, Sampler, Strategy};
 use crate::vec3::Vec3;
 use core::ffi::c_void;
 
@@ -92,7 +92,7 @@ pub struct spherecap_term_t {
 /// What `spherecap_prepare` is given. Where it would refuse, the recorded kernels have nothing to sample.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct spherecap_recorded_cap_t {
+pub struct spherecap_recorded_input_t {
     /// A `spherecap_technique_t`.
     pub technique: u32,
     /// A `spherecap_hemispheres_t`.
@@ -205,22 +205,21 @@ impl Backend for Recorder {
 /// # Safety
 /// `recorder` is NULL or points to a readable `spherecap_recorder_t`.
 unsafe fn complete(recorder: *const spherecap_recorder_t) -> Result<Recorder, u32> {
-    let null = Status::SPHERECAP_STATUS_NULL_POINTER as u32;
     // SAFETY: the caller's promise.
-    let recorder = unsafe { recorder.as_ref() }.ok_or(null)?;
+    let recorder = unsafe { recorder.as_ref() }.ok_or(NULL_POINTER)?;
     let spherecap_recorder_t { user, literal, op, release, begin_if, end_if } = *recorder;
     let conditionals = match (begin_if, end_if) {
         (Some(begin_if), Some(end_if)) => Some(Conditionals { begin_if, end_if }),
         (None, None) => None,
-        _ => return Err(null),
+        _ => return Err(NULL_POINTER),
     };
     match (literal, op, release) {
         (Some(literal), Some(op), Some(release)) => Ok(Recorder { user, literal, op, release, conditionals }),
-        _ => Err(null),
+        _ => Err(NULL_POINTER),
     }
 }
 
-fn input<'t>(tape: &'t Tape, term: spherecap_term_t) -> Recorded<'t> {
+fn lane<'t>(tape: &'t Tape, term: spherecap_term_t) -> Recorded<'t> {
     match term.node {
         0 => Recorded::Lit(term.constant),
         node => tape.input(node),
@@ -228,26 +227,24 @@ fn input<'t>(tape: &'t Tape, term: spherecap_term_t) -> Recorded<'t> {
 }
 
 fn vector<'t>(tape: &'t Tape, terms: [spherecap_term_t; 3]) -> Vec3<Recorded<'t>> {
-    terms.map(|term| input(tape, term)).into()
+    terms.map(|term| lane(tape, term)).into()
 }
 
-/// The prepared cap, and where there is something to sample.
+/// The prepared sampler, and where there is something to sample.
 ///
 /// # Safety
-/// `cap` is NULL or points to a readable `spherecap_recorded_cap_t`.
+/// `input` is NULL or points to a readable `spherecap_recorded_input_t`.
 unsafe fn prepare<'t>(
     tape: &'t Tape,
-    cap: *const spherecap_recorded_cap_t,
+    input: *const spherecap_recorded_input_t,
 ) -> Result<(Sampler<Recorded<'t>>, RecordedMask<'t>), u32> {
     // SAFETY: the caller's promise.
-    let cap = unsafe { cap.as_ref() }.ok_or(Status::SPHERECAP_STATUS_NULL_POINTER as u32)?;
-    let strategy = Strategy {
-        technique: technique(cap.technique).ok_or(Status::SPHERECAP_STATUS_TECHNIQUE as u32)?,
-        hemispheres: hemispheres(cap.hemispheres).ok_or(Status::SPHERECAP_STATUS_HEMISPHERES as u32)?,
-        defensive: input(tape, cap.defensive),
-    };
-    let (normal, centre) = (vector(tape, cap.normal), vector(tape, cap.centre));
-    Ok(Sampler::prepare_where_possible(strategy, normal, centre, input(tape, cap.radius)))
+    let input = unsafe { input.as_ref() }.ok_or(NULL_POINTER)?;
+    let (technique, hemispheres) = enums(input.technique, input.hemispheres)?;
+    let strategy = Strategy { technique, hemispheres, defensive: lane(tape, input.defensive) };
+    let receiver = Receiver { normal: vector(tape, input.normal), strategy };
+    let (centre, radius) = (vector(tape, input.centre), lane(tape, input.radius));
+    Ok(Sampler::prepare_where_possible(receiver, centre, radius))
 }
 
 /// Wants a number, zero where the mask is false.
@@ -267,18 +264,18 @@ fn number_where<'t>(tape: &'t Tape, mask: RecordedMask<'t>, lane: Recorded<'t>) 
 #[no_mangle]
 pub unsafe extern "C" fn spherecap_record_sample(
     recorder: *const spherecap_recorder_t,
-    cap: *const spherecap_recorded_cap_t,
+    input: *const spherecap_recorded_input_t,
     u: *const spherecap_term_t,
     sample: *mut spherecap_recorded_sample_t,
 ) -> u32 {
     // SAFETY: the header's contract; an array is aligned as its elements.
     let (recorder, u) = unsafe { (complete(recorder), u.cast::<[spherecap_term_t; 2]>().as_ref()) };
     let result = recorder.and_then(|recorder| {
-        let u = *u.filter(|_| !sample.is_null()).ok_or(Status::SPHERECAP_STATUS_NULL_POINTER as u32)?;
+        let u = *u.filter(|_| !sample.is_null()).ok_or(NULL_POINTER)?;
         let tape = Tape::default();
         // SAFETY: the header's contract.
-        let (sampler, mask) = unsafe { prepare(&tape, cap) }?;
-        let [u0, u1] = u.map(|term| input(&tape, term));
+        let (sampler, mask) = unsafe { prepare(&tape, input) }?;
+        let [u0, u1] = u.map(|term| lane(&tape, term));
         let Sample { offset, direction, distance, normal, density } = sampler.sample(u0, u1);
         let number = |lane| number_where(&tape, mask, lane);
         let wanted = [
@@ -318,7 +315,7 @@ pub unsafe extern "C" fn spherecap_record_sample(
 #[no_mangle]
 pub unsafe extern "C" fn spherecap_record_pdf_on_sphere(
     recorder: *const spherecap_recorder_t,
-    cap: *const spherecap_recorded_cap_t,
+    input: *const spherecap_recorded_input_t,
     direction: *const spherecap_term_t,
     density: *mut spherecap_recorded_density_t,
 ) -> u32 {
@@ -326,14 +323,12 @@ pub unsafe extern "C" fn spherecap_record_pdf_on_sphere(
     let (recorder, direction) =
         unsafe { (complete(recorder), direction.cast::<[spherecap_term_t; 3]>().as_ref()) };
     let result = recorder.and_then(|recorder| {
-        let direction =
-            *direction.filter(|_| !density.is_null()).ok_or(Status::SPHERECAP_STATUS_NULL_POINTER as u32)?;
+        let direction = *direction.filter(|_| !density.is_null()).ok_or(NULL_POINTER)?;
         let tape = Tape::default();
         // SAFETY: the header's contract.
-        let (sampler, mask) = unsafe { prepare(&tape, cap) }?;
+        let (sampler, mask) = unsafe { prepare(&tape, input) }?;
         let direction = vector(&tape, direction);
-        let density = sampler.pdf_on_sphere(sampler.offset(direction));
-        let mask = mask & is_unit(direction);
+        let density = sampler.pdf_on_sphere(direction);
         let wanted = [density.solid_angle, density.projected_solid_angle];
         let [solid_angle, projected_solid_angle] = tape
             .play(&recorder, wanted.map(|lane| number_where(&tape, mask, lane)))

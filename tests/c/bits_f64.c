@@ -1,0 +1,5 @@
+// `bits.c` in double precision.
+
+#define DOUBLE_PRECISION
+
+#include "bits.c"
