@@ -99,12 +99,19 @@ pub(crate) fn inverse_cube_root<L: Lane>(x: L) -> L {
     y
 }
 
+/// The power of two that is not above `x`, or not above the smallest normal number or a quarter of the largest if `x` is out of
+/// their range, as infinity is; that of the former for NaN.
+#[inline(always)]
+pub(crate) fn power_of_two_near<L: Lane>(x: L) -> L {
+    x.max(L::lit(L::MIN_POSITIVE)).min(L::lit(0.25 * L::MAX)).power_of_two()
+}
+
 /// A power of two `p` such that `p x` lies in [1, 2), or in [1, 8] for the largest `x` and below 1 for subnormal ones; a power of two
 /// for every other `x`, infinity and NaN too. Exact, so that scaling a scene by it loses nothing. And its reciprocal; both are
 /// normal numbers.
 #[inline(always)]
 pub(crate) fn power_of_two_near_reciprocal<L: Lane>(x: L) -> [L; 2] {
-    let power = x.max(L::lit(L::MIN_POSITIVE)).min(L::lit(0.25 * L::MAX)).power_of_two();
+    let power = power_of_two_near(x);
     // The biased exponents of a power of two and of its reciprocal add up to twice the bias.
     let ones = 2.0 * L::EXPONENT_BIAS as f64 * (L::SIGNIFICAND_BITS as f64).exp2();
     [(lit(ones) - power.bits()).float_of_bits(), power]

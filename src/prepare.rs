@@ -2,7 +2,7 @@
 
 use crate::cap::Cap;
 use crate::lane::{branch, lit, Lane, Mask};
-use crate::math::power_of_two_near_reciprocal;
+use crate::math::power_of_two_near;
 use crate::offset::Offset;
 use crate::sampling::{Receiver, Sampler};
 use crate::vec3::Vec3;
@@ -111,11 +111,10 @@ fn unit_or_zero<L: Lane>(normal: Vec3<L>) -> Vec3<L> {
     let excess = normal.dot(normal) - lit(1.0);
     let is_rounded = excess.abs().le(L::lit(4.0 * f64::from(f32::EPSILON)));
     branch!(is_rounded, normal, {
-        let [scale, _] = power_of_two_near_reciprocal(normal.x.abs() + normal.y.abs() + normal.z.abs());
-        let near_one = normal * scale;
+        // First by a power of two, so that no square over- or underflows.
+        let near_one = normal / power_of_two_near(normal.x.abs() + normal.y.abs() + normal.z.abs());
         // Zeros stay zeros: every other length is at least an epsilon by now.
-        let length = near_one.dot(near_one).sqrt().max(L::lit(L::MIN_POSITIVE));
-        Vec3::new(near_one.x / length, near_one.y / length, near_one.z / length)
+        near_one / near_one.dot(near_one).sqrt().max(L::lit(L::MIN_POSITIVE))
     })
 }
 

@@ -1,7 +1,7 @@
 //! Vectors of three lanes, with just the operations that the kernels need.
 
 use crate::lane::{Blend, Lane};
-use core::ops::Mul;
+use core::ops::{Div, Mul};
 
 /// A vector of three lanes, laid out as `[x, y, z]`. It converts from and into such an array, and so into what other libraries
 /// call a vector: functions here take everything that converts into an array.
@@ -93,6 +93,14 @@ impl<L: Lane> Mul<L> for Vec3<L> {
     #[inline(always)]
     fn mul(self, factor: L) -> Self {
         Self::new(self.x * factor, self.y * factor, self.z * factor)
+    }
+}
+
+impl<L: Lane> Div<L> for Vec3<L> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, divisor: L) -> Self {
+        Self::new(self.x / divisor, self.y / divisor, self.z / divisor)
     }
 }
 

@@ -8,6 +8,7 @@ use super::calls::{enums, store, NULL_POINTER};
 use super::single::spherecap_status_t as Status;
 use crate::lane::recorded::{Backend, Conditional, NodeId, Op, Recorded, RecordedMask, Tape, Wanted};
 use crate::lane::Lane;
+use crate::prepare::is_unit;
 use crate::sampling::{Receiver, Sample, Sampler, Strategy};
 use crate::vec3::Vec3;
 use core::ffi::c_void;
@@ -328,7 +329,8 @@ pub unsafe extern "C" fn spherecap_record_pdf_on_sphere(
         // SAFETY: the header's contract.
         let (sampler, mask) = unsafe { prepare(&tape, input) }?;
         let direction = vector(&tape, direction);
-        let density = sampler.pdf_on_sphere(direction);
+        let density = sampler.pdf_in_cap(sampler.offset(direction));
+        let mask = mask & is_unit(direction);
         let wanted = [density.solid_angle, density.projected_solid_angle];
         let [solid_angle, projected_solid_angle] = tape
             .play(&recorder, wanted.map(|lane| number_where(&tape, mask, lane)))

@@ -205,7 +205,7 @@ static void use(uint32_t prepared) {
         CHECK(is_density(sample->density) && sample->density.solid_angle > 0.0f);
         const float largest = 1.0f + 1e-6f; // outside of the cap by as much
         CHECK(fabsf(sample->offset.zenith) <= largest && fabsf(sample->offset.side) <= largest);
-        CHECK(fabsf(sample->offset.cosine) <= 1.001f); // the normal may be that long
+        CHECK(fabsf(sample->offset.cosine) <= largest);
         // Infinite only if the centre's distance is.
         CHECK(sample->distance >= 0.0f &&
               (sample->distance <= FLT_MAX || length_of(centre) > (double)FLT_MAX));
