@@ -12,6 +12,8 @@
 // Floating point: rounding must be to nearest, as it is unless a program changes it; in another mode, functions on arrays and
 // on single points differ in the last digits. Modes that flush subnormal numbers to zero may be on: such numbers (below 1.2e-38
 // in single precision) then count as zeros.
+//
+// Debugging: the environment variable SPHERECAP_INSTRUCTIONS chooses instructions, see `spherecap_batch_instructions`.
 
 #include <stddef.h>
 #include <stdint.h>

@@ -511,28 +511,35 @@ fn areas_in_double_precision_from_c() {
     assert!(worst.iter().all(|&error| error < 1e-12), "{worst:?}");
 }
 
-/// Subnormal numbers that are flushed to zero: the same bits, where no input is one.
+/// Where subnormal numbers are flushed to zero: the same bits, but where one is among the input, which then counts as zero.
+#[cfg(target_arch = "x86_64")]
+fn check_flushed<F: Bits>(source: &str) {
+    let program = build(source, false);
+    let output = |lines: &[Line<F>]| {
+        run(&program, &["flush"], &input(lines)).unwrap_or_else(|report| panic!("{source}: {report}"))
+    };
+    let is_subnormal = |&x: &F| x.into() != 0.0 && x.into().abs() < F::MIN_POSITIVE;
+    let is_plain = |line: &Line<F>| {
+        ![<[F; 3]>::from(line.receiver.normal), line.centre].as_flattened().iter().any(is_subnormal)
+    };
+    let lines: Vec<Line<F>> = lines().into_iter().filter(is_plain).collect();
+    let found = output(&lines);
+    assert_eq!(found.lines().count(), lines.len());
+    for (found, line) in found.lines().zip(&lines) {
+        assert_eq!(found, line.output(), "flushed, and Rust, for {}", line.input());
+    }
+    let line = Line { radius: F::lit(0.1 * F::MIN_POSITIVE), ..lines[0] };
+    assert_eq!(line.output(), Refusal::Invisible.to_string());
+    assert_eq!(output(&[line]), format!("{}\n", Refusal::Radius));
+}
+
 #[test]
 #[cfg(target_arch = "x86_64")]
 fn flushing_subnormal_numbers_does_no_harm() {
-    let is_normal = |x: &f32| *x == 0.0 || !x.is_subnormal();
-    let lines: Vec<Line<f32>> = lines()
-        .into_iter()
-        .filter(|line| <[f32; 3]>::from(line.receiver.normal).iter().chain(&line.centre).all(is_normal))
-        .collect();
-    let report = run(&build("tests/c/bits.c", false), &["flush"], &input(&lines));
-    let output = report.unwrap_or_else(|report| panic!("{report}"));
-    let mut other = 0;
-    for (found, line) in output.lines().zip(&lines) {
-        other += usize::from(found != line.output());
-    }
-    assert_eq!(output.lines().count(), lines.len());
-    assert_eq!(other, 0, "of {} lines", lines.len());
-    // Those that are subnormal count as zeros: here a radius.
-    let line = Line { radius: 1e-40, ..lines[0] };
-    assert!(line.output().starts_with("the sphere is not above"), "{}", line.output());
-    let output = run(&build("tests/c/bits.c", false), &["flush"], &line.input());
-    assert_eq!(output, Ok(format!("{}\n", Refusal::Radius)));
+    check_flushed::<f32>("tests/c/bits.c");
+    check_flushed::<f64>("tests/c/bits_f64.c");
+    let report = run(&build("tests/c/batch.c", false), &["flush"], "");
+    assert!(report.is_ok(), "{report:?}");
 }
 
 /// Whatever the environment names: the same bits from single points and from arrays; or, of a wrong word, a status in words.

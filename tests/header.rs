@@ -12,7 +12,9 @@ const PROMISES: &str = "\
 //
 // Floating point: rounding must be to nearest, as it is unless a program changes it; in another mode, functions on arrays and
 // on single points differ in the last digits. Modes that flush subnormal numbers to zero may be on: such numbers (below 1.2e-38
-// in single precision) then count as zeros.";
+// in single precision) then count as zeros.
+//
+// Debugging: the environment variable SPHERECAP_INSTRUCTIONS chooses instructions, see `spherecap_batch_instructions`.";
 
 const RECORD: &str = "\
 // Records the kernels of spherecap.h into a program's own expression graph: for renderers that compile what they run.";

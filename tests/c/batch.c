@@ -316,7 +316,8 @@ static void bad_input(void) {
     CHECK(is_rubbish(all.outputs[10][0]) && is_rubbish(all.outputs[11][0]));
 }
 
-int main(void) {
+int main(int count, char **arguments) {
+    choose_mode(count, arguments);
     allocate();
     fill();
     every_length();

@@ -10,9 +10,6 @@
 #include "check.h"
 
 #include <inttypes.h>
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 #ifdef DOUBLE_PRECISION
 typedef double number_t;
@@ -59,11 +56,7 @@ static void print_bits(const void *memory, size_t size) {
 }
 
 int main(int count, char **arguments) {
-    if (count > 1 && strcmp(arguments[1], "flush") == 0) {
-#if defined(__SSE__)
-        _mm_setcsr(_mm_getcsr() | 0x8040); // results, and operands
-#endif
-    }
+    choose_mode(count, arguments);
     bits_t words[WORDS_IN];
     while (read_words(words)) {
         number_t in[WORDS_IN];

@@ -1,5 +1,5 @@
 // What the C and C++ test programs share: a check that stops the program, memory that the library cannot
-// leave, and a preparation by numbers.
+// leave, another mode of floating point, and a preparation by numbers.
 
 #ifndef CHECK_H
 #define CHECK_H
@@ -11,6 +11,9 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
 
 #define CHECK(condition)                                                                                     \
     do {                                                                                                     \
@@ -41,6 +44,17 @@ static inline void *guarded_memory(size_t size) {
     CHECK(pages != (char *)MAP_FAILED);
     CHECK(mprotect(pages + page, page, PROT_NONE) == 0);
     return pages + page - size;
+}
+
+// With the argument "flush", flushes subnormal numbers to zero, results and operands.
+static inline void choose_mode(int count, char **arguments) {
+    if (count > 1 && strcmp(arguments[1], "flush") == 0) {
+#if defined(__SSE__)
+        _mm_setcsr(_mm_getcsr() | 0x8040);
+#else
+        CHECK(!"this program knows how to flush for x86-64 alone");
+#endif
+    }
 }
 
 // `spherecap_prepare` with a receiver of these; of none, if there is no normal.
