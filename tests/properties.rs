@@ -274,6 +274,23 @@ fn sampling_the_inverse_gives_the_sample<F: Scalar>() {
     });
 }
 
+/// Every offset has a density that is a number, also one beside a crescent that is as thin as numbers are.
+#[test]
+fn offsets_beside_the_thinnest_crescents_have_finite_densities() {
+    let normal = [0.0, -1.0, (-48.0_f32).exp2()];
+    let strategy = Strategy { technique: Technique::ProjectedBounded, ..Strategy::default() };
+    // A sphere that all but touches the point, with its centre all but straight below.
+    let (centre, radius) = ([-5.0, 335.0, 14.0], 335.0);
+    let sampler = Sampler::prepare(Receiver { normal: normal.into(), strategy }, centre, radius)
+        .expect("it is visible");
+    let offset = Offset { zenith: -2.905_233_6e-9, side: 4.360_559_6e-8, cosine: 0.639_939 };
+    let Density { solid_angle, projected_solid_angle } = sampler.pdf(offset);
+    assert!(
+        solid_angle.is_finite() && projected_solid_angle.is_finite(),
+        "{solid_angle} {projected_solid_angle}"
+    );
+}
+
 /// Which is why a cosine is to be taken from the offset: of a sphere whose top is one rounding above the floor most directions,
 /// rounded, point below it.
 #[test]

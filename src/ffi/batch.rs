@@ -122,9 +122,9 @@ pub extern "C" fn spherecap_batch_instructions() -> *const c_char {
 /// Prepares the spheres and samples a direction towards each, with two random numbers.
 ///
 /// Stores for each point what `spherecap_sample` stores, to the bit, wherever in the arrays it is. A density of zero tells
-/// where it would have failed. Stores at `refused`, unless it is NULL, at how many points that was because of bad input, which
-/// `spherecap_prepare` tells apart: not where a sphere is INVISIBLE, or a point INSIDE. Arrays that are stored to must not
-/// overlap each other or those that are read. For several threads, give each a part of the arrays.
+/// where it would have failed. Stores at `refused`, unless it is NULL, at how many points some input is bad, whatever is asked
+/// for; what is wrong there, `spherecap_prepare` says. A sphere that is INVISIBLE and a point INSIDE are no bad input. Arrays
+/// that are stored to must not overlap each other or those that are read. For several threads, give each a part of the arrays.
 ///
 /// Errors: NULL_POINTER (of the arrays that are read, too), TECHNIQUE, HEMISPHERES, DEFENSIVE, INSTRUCTIONS; then nothing is
 /// stored.

@@ -531,7 +531,8 @@ impl<L: Lane> Sampler<L> {
         let centre_above = zero.lt(cap.elevation_sin);
         let centre_side = (above & centre_above) | (below & !centre_above);
         let is_warped = zero.lt(weight) & zero.lt(cap.crescent.tau) & !centre_side;
-        weight * branch!(is_warped, bounded::relative_density(cap, offset), L::lit(1.0))
+        // Beside a crescent so thin that it is hardly a number, the warp has a slope that is none.
+        (weight * branch!(is_warped, bounded::relative_density(cap, offset), L::lit(1.0))).min(L::lit(L::MAX))
     }
 
     /// The largest density within the cap over the smallest, with respect to projected solid angle and above the horizon:
