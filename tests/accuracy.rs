@@ -103,9 +103,11 @@ fn sampler<F: Scalar>(technique: Technique, scene: &Scene) -> Option<Sampler<F>>
 fn areas(page: &mut String) {
     let mut projected = Table::new(
         "Projected solid angle",
-        "Relative error. The reference groups are against 25 digits; the strata are f32 against f64. With an oblique normal a \
-         centre's height is known in f32 to 2^-48 of its distance, which of the part above the horizon of a small sphere that has \
-         nearly set is more than 1e-6: the large errors are those of s < 1e-5. (`tests/strata.rs` has the bound.)",
+        "Relative error. The reference groups are against 25 digits; the strata are f32 against f64. The worst errors are those of \
+         spheres, large or small, of which next to nothing is left above the horizon: with an oblique normal a centre's height is \
+         known in f32 to about 2^-48 of its distance d, and the area goes with up to the 5/2 power of what is left, b = r + n·C. So \
+         beside some 1e-6 an area is off by about 5/2 · 2^-48 d/b, and never by more than 7 times that, which matters where \
+         b < 1e-8 d. (`tests/strata.rs` derives it, and holds spheres of every size to it.)",
     );
     let mut solid = Table::new("Solid angle", "Relative error, likewise.");
     for row in reference_caps() {

@@ -57,6 +57,14 @@ pub fn scene(stratum: usize, random: &mut Random) -> Scene {
             ((1.0 - x) * (1.0 + x)).sqrt()
         }
     };
+    let (normal, centre) = oriented(z, random);
+    // Rounded down, or a sphere nearly touched would be one around the point.
+    let radius = (s * dot(centre, centre).sqrt()) as f32;
+    Scene { normal, centre, radius: f64::from(radius.next_down()) }
+}
+
+/// A normal and a centre at the elevation `sin = z` (up to their rounding to f32), in random orientation, at any distance.
+fn oriented(z: f64, random: &mut Random) -> ([f64; 3], [f64; 3]) {
     let x = ((1.0 - z) * (1.0 + z)).max(0.0).sqrt();
     let to_f32 = |x: f64| f64::from(x as f32);
     let normal = unit(random).map(to_f32);
@@ -65,8 +73,19 @@ pub fn scene(stratum: usize, random: &mut Random) -> Scene {
     let across: [f64; 3] = std::array::from_fn(|i| other[i] - along * normal[i]);
     let length = dot(across, across).sqrt();
     let d = power(random, -20, 20);
-    let centre: [f64; 3] = std::array::from_fn(|i| to_f32(d * (z * normal[i] + x * across[i] / length)));
-    // Rounded down, or a sphere nearly touched would be one around the point.
-    let radius = (s * dot(centre, centre).sqrt()) as f32;
-    Scene { normal, centre, radius: f64::from(f32::from_bits(radius.to_bits() - 1)) }
+    (normal, std::array::from_fn(|i| to_f32(d * (z * normal[i] + x * across[i] / length))))
+}
+
+/// How many of [`nearly_set`] there are: the last has s near 2^-28.
+pub const OCTAVES: i32 = 28;
+
+/// A sphere with s just below 2^-octave, down to half of it, of which 2^-43 to 2^-29 of the distance are above the horizon: whatever
+/// the rounding of the centre, the radius is chosen for it, and rounded up to f32.
+pub fn nearly_set(octave: i32, random: &mut Random) -> Scene {
+    let s = f64::from(-octave).exp2() * random.within(0.5, 0.999);
+    let (normal, centre) = oriented(-s, random);
+    let least = power(random, -43, -29) * dot(centre, centre).sqrt() - dot(normal, centre);
+    let nearest = least as f32;
+    let radius = if f64::from(nearest) < least { nearest.next_up() } else { nearest };
+    Scene { normal, centre, radius: f64::from(radius) }
 }
