@@ -7,6 +7,8 @@ BIN := $(VENV)/bin
 PLUGIN := mitsuba_plugin/spherecap/plugins/spherecap.so
 LIBRARY := target/release/libspherecap.a
 SHARED := target/release/libspherecap.so
+ARCHIVE := build/libspherecap.a
+HEADERS := $(wildcard include/*.h)
 # The releases of Mitsuba that the plugin can be built for beside the pinned one, and one that it must refuse.
 OLDER_MITSUBAS := $(shell sed -n 's/^set(mitsubas [^ ]* \(.*\))/\1/p' mitsuba_plugin/CMakeLists.txt)
 MITSUBAS := $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) 3.6.4)
@@ -76,7 +78,7 @@ $(LIBRARY): FORCE
 
 # Ninja and rustc would look for the jobserver of a make that runs several jobs, which is for sub-makes alone: MAKEFLAGS is not
 # for them.
-$(PLUGIN): $(LIBRARY) $(VENV)/installed $(wildcard include/*.h) $(wildcard mitsuba_plugin/*.* mitsuba_plugin/cmake/*)
+$(PLUGIN): $(LIBRARY) $(VENV)/installed $(HEADERS) $(wildcard mitsuba_plugin/*.* mitsuba_plugin/cmake/*)
 	$(BIN)/cmake -S mitsuba_plugin -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
 	    -DCMAKE_MAKE_PROGRAM="$(CURDIR)/$(BIN)/ninja" -DMitsubaWheel_PYTHON="$(CURDIR)/$(BIN)/python" \
 	    -DSPHERECAP_LIBRARY="$(CURDIR)/$(LIBRARY)"
@@ -107,7 +109,17 @@ $(VENV)/installed: requirements.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
 	touch $@
 
-library: $(LIBRARY) $(SHARED) ## The C library alone, static and shared.
+library: $(ARCHIVE) $(SHARED) ## The C library alone, static and shared.
+
+# What Rust makes carries the standard library whole, with its debug information and the bitcode of its compiler: twenty times as
+# much as what the headers' functions reach, with names that would meet those of other libraries in Rust, and calls of glibc's
+# that linkers warn of in static programs.
+$(ARCHIVE): $(LIBRARY) $(HEADERS)
+	mkdir -p $(@D)
+	$(LD) -r --gc-sections $$(sed -n 's/^[a-z].*\b\(spherecap_[a-z0-9_]*\)(.*/--undefined=\1/p' $(HEADERS)) $< -o $(@:.a=.o)
+	objcopy --strip-unneeded --wildcard --remove-section='.llvm*' --keep-global-symbol='spherecap_*' $(@:.a=.o)
+	rm -f $@
+	$(AR) rcs $@ $(@:.a=.o)
 
 # Programs ask the loader for the ABI's number, which changes when they have to be compiled again.
 $(SHARED): FORCE
@@ -116,7 +128,7 @@ $(SHARED): FORCE
 install: library ## Install the C library below PREFIX (/usr/local), with pkg-config file and CMake package.
 	install -d $(foreach file,$(INSTALLED),"$(DESTDIR)$(PREFIX)/$(dir $(file))")
 	install -m 644 include/spherecap.h include/spherecap_record.h "$(DESTDIR)$(PREFIX)/include"
-	install -m 644 $(LIBRARY) "$(DESTDIR)$(PREFIX)/lib"
+	install -m 644 $(ARCHIVE) "$(DESTDIR)$(PREFIX)/lib"
 	install -m 755 $(SHARED) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so.$(VERSION)"
 	ln -sf libspherecap.so.$(VERSION) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so.$(ABI)"
 	ln -sf libspherecap.so.$(ABI) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so"

@@ -88,7 +88,7 @@ def test_pkg_config(
     """As on the page on the C library."""
     extra = ["-static"] if linkage == "static" else []
     flags = pkg_config(prefix, "--cflags", "--libs", *["--static" for _ in extra])
-    warnings = ("-pedantic", "-Wall", "-Wextra", "-Werror")
+    warnings = ("-pedantic", "-Wall", "-Wextra", "-Werror", "-Wl,--fatal-warnings")
     run(compiler, standard, *warnings, *extra, source, *flags, "-o", "program", folder=sources)
     needed = re.findall(r"NEEDED.*\[(.*)\]", run("readelf", "-d", "program", folder=sources))
     assert (SONAME in needed) == (linkage == "shared"), needed
@@ -146,20 +146,37 @@ def test_cmake_refuses_another_version(prefix: Path, tmp_path: Path, wanted: str
     run("cmake", "-S", ".", "-B", "b", f"-DCMAKE_PREFIX_PATH={prefix}", folder=tmp_path)
 
 
-def test_the_shared_library_exports_the_header_and_nothing_else(prefix: Path) -> None:
-    """And has its name, and links that lead to it."""
+def exported(library: Path, *options: str) -> set[str]:
+    """Return what a library defines for others."""
+    table = run("readelf", "-W", *options, library, folder=library.parent)
+    symbols = [line.split() for line in table.splitlines()]
+    return {s[7] for s in symbols if len(s) >= 8 and s[4] in ("GLOBAL", "WEAK") and s[6] != "UND"}
+
+
+def test_the_libraries_export_the_header_and_nothing_else(prefix: Path) -> None:
+    """And the shared one has its name, and links that lead to it."""
     library = prefix / "lib/libspherecap.so"
     assert os.readlink(library) == SONAME
     assert os.readlink(prefix / "lib" / SONAME) == f"libspherecap.so.{VERSION}"
     assert f"soname: [{SONAME}]" in run("readelf", "-d", library, folder=prefix)
-    symbols = [
-        line.split() for line in run("readelf", "-W", "--dyn-syms", library, folder=prefix).splitlines()
-    ]
-    exported = {s[7] for s in symbols if len(s) >= 8 and s[4] in ("GLOBAL", "WEAK") and s[6] != "UND"}
     headers = HEADER + (REPOSITORY / "include/spherecap_record.h").read_text()
     declared = set(re.findall(r"^\w[\w ]*\*?\b(spherecap_\w+)\(", headers, re.MULTILINE))
     assert len(declared) >= 29
-    assert exported == declared
+    assert exported(library, "--dyn-syms") == declared
+    assert exported(prefix / "lib/libspherecap.a", "--syms") == declared
+
+
+def test_the_static_library_carries_what_it_uses(prefix: Path) -> None:
+    """Kernels, and what of Rust's standard library prints the message of a panic.
+
+    Either is a quarter of a megabyte, and their relocations and names twice that. The whole standard
+    library, even without debug information and bitcode, is more than the three megabytes allowed.
+    """
+    library = prefix / "lib/libspherecap.a"
+    assert library.stat().st_size < 3e6
+    sections = run("readelf", "-W", "--sections", library, folder=prefix)
+    assert ".text.spherecap_sample" in sections
+    assert not re.search(r" \.(debug|llvm)", sections)
 
 
 def test_uninstall_leaves_nothing_but_what_was_there(tmp_path: Path) -> None:
