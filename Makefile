@@ -14,7 +14,7 @@ OLDER_MITSUBAS := $(shell sed -n 's/^set(mitsubas [^ ]* \(.*\))/\1/p' mitsuba_pl
 MITSUBAS := $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) 3.6.4)
 C_RENDERER := build/renderer
 IRRADIANCE := build/irradiance
-CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h examples/*.c)
+CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h tests/install/*.c examples/*.c)
 
 # `make demo SCENE=cut_light VARIANT=scalar_rgb SPP=16`
 SCENE ?= cut_light

@@ -248,6 +248,34 @@ def test_the_readmes_lines_in_c(prefix: Path, tmp_path: Path) -> None:
     run(tmp_path / "program", folder=tmp_path)
 
 
+def in_double_precision(program: str) -> str:
+    """Return a program with `double` for `float`, and the names that go with it."""
+    program = re.sub(r"\b(spherecap_(?!status)\w+?)(_t)?\b(?=[ (])", r"\1_f64\2", program)
+    program = re.sub(r"\b(fabs|fmax|fmin|sqrt|cos|sin)f\b", r"\1", program)
+    return re.sub(r"\bfloat\b", "double", program)
+
+
+@pytest.mark.parametrize("precision", ["single", "double"])
+@pytest.mark.parametrize(("compiler", "standard", "source"), [
+    (CC, "-std=c99", "porting.c"), (os.environ.get("CXX", "c++"), "-std=c++17", "porting.cpp")
+])  # fmt: skip
+def test_the_page_on_porting(
+    prefix: Path, tmp_path: Path, compiler: str, standard: str, source: str, precision: str
+) -> None:
+    """Its functions, in a host that checks what they give; and its numbers."""
+    page = REPOSITORY / "docs/porting.md"
+    functions = blocks(page, "c")
+    assert len(functions) >= 7
+    change = in_double_precision if precision == "double" else str
+    (tmp_path / "porting.h").write_text(change("\n".join(functions)))
+    (tmp_path / source).write_text(change((REPOSITORY / "tests/install/porting.c").read_text()))
+    flags = pkg_config(prefix, "--cflags", "--libs", "--static")
+    warnings = ("-pedantic", "-Wall", "-Wextra", "-Werror", "-Wl,--fatal-warnings")
+    options = (standard, "-O2", *warnings, "-static", "-I.")
+    run(compiler, *options, source, *flags, "-o", "program", folder=tmp_path)
+    run(tmp_path / "program", folder=tmp_path)
+
+
 def test_a_plugin_by_somebody_else(prefix: Path, tmp_path: Path) -> None:
     """What docs/mitsuba_plugins.md shows, with nothing of this repository but the installed module."""
     page = REPOSITORY / "docs/mitsuba_plugins.md"
