@@ -1,13 +1,8 @@
 /* What becomes of a sampled direction when the point or the sphere moves.
 
    The library chooses directions, and what it computes has no gradients. Integrators that differentiate what
-   they have sampled need them: a sample then stays at the same place of the cap (as the cap is seen from the
-   point) while the cap moves and grows. Places are those of uniform sampling of the solid angle: the fraction
-   of the cap that is nearer to its centre, and an angle around it. Their measure is proportional to the solid
-   angle of the cap, so densities change by its reciprocal, whatever the technique; and nothing becomes
-   singular at the limb, as it would if the points of the sphere stayed the same.
-
-   Only gradients of what is computed here are used: values stay the library's. */
+   they have sampled need them: a sample then keeps its place in the cap while the cap moves and grows
+   (docs/mathematics.md, 11). Only gradients of what is computed here are used: values stay the library's. */
 
 #pragma once
 

@@ -267,3 +267,31 @@ def test_evaluated_and_symbolic_modes_agree():
             loaded = scene(PLACES["cut"], {"type": "direct"}, lights=3)
             found.append(gradients(loaded, PLACES["cut"], spp=64, seeds=1)[0])
     np.testing.assert_allclose(found[0], found[1], rtol=1e-3)
+
+
+@pytest.mark.parametrize("hemispheres", ["front", "both"])
+def test_hard_places_have_finite_derivatives(hemispheres):
+    """Distant lights, points next to the light, on it and inside, and at its centre; samples at the limb."""
+    emitter = scene(((0, 0, 0), 1), EMITTER_ALONE, hemispheres=hemispheres).emitters()[0]
+    rng = np.random.default_rng(1)
+    count = 100_000
+    gap = 10 ** rng.uniform(-8, 8, count) * np.where(rng.random(count) < 0.1, -1, 1)
+    towards, normal = rng.standard_normal((2, count, 3))
+    towards /= np.linalg.norm(towards, axis=1, keepdims=True)
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    own = rng.random(count) < 0.1
+    normal[own] = towards[own]
+    place = towards * np.maximum(1 + gap, 0)[:, None]
+    it = dr.zeros(mi.SurfaceInteraction3f, count)
+    it.p, it.n = mi.Point3f(place.T), mi.Normal3f(normal.T)
+    dr.enable_grad(it.p)
+    u = rng.choice([0, 1e-7, 0.3, 0.5, 1 - 2**-24, 1], (2, count))
+    ds, weight = emitter.sample_direction(it, mi.Point2f(u))
+    pdf = emitter.pdf_direction(it, ds)
+    assert 0.3 < np.mean(np.array(ds.pdf) > 0) < 0.95
+    for value in (ds.d, ds.dist, ds.p, ds.n, ds.pdf, weight, pdf):
+        dr.clear_grad(it.p)
+        dr.backward_from(dr.sum(value), dr.ADFlag.ClearInterior)
+        found = np.array(dr.grad(it.p))
+        assert np.isfinite(found).all()
+        assert found.any()
