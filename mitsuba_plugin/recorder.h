@@ -196,6 +196,11 @@ public:
 
     using RecorderBase::record;
 
+    /// A mask as wide as what it decides about: Dr.Jit's conditionals want it so.
+    static Mask condition(const Mask &mask, size_t width) {
+        return mask.size() == 1 && width > 1 ? Mask::steal(jit_var_resize(mask.index(), width)) : mask;
+    }
+
     /// A constant input.
     static spherecap_term_t term(float constant) { return {0, constant}; }
 

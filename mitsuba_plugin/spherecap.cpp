@@ -353,9 +353,10 @@ private:
             // Several paths are traced at once: where none of them needs a sample any more, the kernel is
             // skipped.
             using Drawn = dr::tuple<Normal3f, Vector3f, Float, Float>;
+            const auto inputs =
+                dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p), dr::detach(sample));
             const Drawn drawn = dr::if_stmt(
-                dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p), dr::detach(sample)),
-                active,
+                inputs, Recorder<Float>::condition(active, dr::width(inputs)),
                 [this](const Normal3f &normal, const Vector3f &centre, const Point2f &sample) {
                     using Recorder = mitsuba::Recorder<Float>;
                     const spherecap_term_t u[2] = {Recorder::term(sample.x()), Recorder::term(sample.y())};
@@ -393,9 +394,10 @@ private:
     Float pdf_cap(const Interaction3f &it, const Vector3f &direction, Mask active) const {
         if constexpr (dr::is_jit_v<Float>) {
             // Likewise: few rays meet the light by chance.
+            const auto inputs =
+                dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p), dr::detach(direction));
             return dr::if_stmt(
-                dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p), dr::detach(direction)),
-                active,
+                inputs, Recorder<Float>::condition(active, dr::width(inputs)),
                 [this](const Normal3f &normal, const Vector3f &centre, const Vector3f &direction) {
                     using Recorder = mitsuba::Recorder<Float>;
                     spherecap_term_t d[3];

@@ -235,6 +235,22 @@ def test_inactive_lanes_give_nothing():
     assert list(emitter.pdf_direction(it, ds, active).numpy() > 0) == [True, False, True, False]
 
 
+def test_one_mask_for_many_points():
+    """A mask of one entry, which Dr.Jit compares with nothing before it ends the process."""
+    mi.set_variant("llvm_ad_rgb")
+    emitter = light().emitter()
+    it = dr.zeros(mi.SurfaceInteraction3f)
+    it.n = [0, 0, 1]
+    u = mi.Point2f(dr.linspace(mi.Float, 0, 1, 100), 0.3)
+    for lit in (True, False):
+        active = dr.opaque(mi.Bool, lit)
+        ds, weight = emitter.sample_direction(it, u, active)
+        pdf = emitter.pdf_direction(it, ds, active)
+        assert [dr.width(ds.pdf), dr.width(pdf)] == [100, 100]
+        for value in (ds.pdf, pdf, weight.x):
+            assert dr.all((value > 0) == lit)
+
+
 def test_nothing_is_left_behind():
     """Recording makes hundreds of variables, and keeps none."""
     mi.set_variant("llvm_ad_rgb")
