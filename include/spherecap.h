@@ -79,6 +79,8 @@ typedef enum spherecap_status_t {
     SPHERECAP_STATUS_INSTRUCTIONS = 12,
     // A function of a recorder returned 0.
     SPHERECAP_STATUS_RECORDER = 13,
+    // The part of a choice that is spread evenly is not in [0, 1].
+    SPHERECAP_STATUS_EVEN = 14,
 } spherecap_status_t;
 
 // What receives the light: a surface, or a point on none, and how its light is sampled. All zeros but a normal are the right
@@ -217,6 +219,38 @@ typedef struct spherecap_batch_measures_t {
     // What `spherecap_projected_solid_angle` stores: irradiances of unoccluded spheres of radiance 1.
     float *projected_solid_angle;
 } spherecap_batch_measures_t;
+
+// The lights of a scene, in arrays of one number for each. An array may begin at the address of any float.
+typedef struct spherecap_lights_t {
+    // Number of lights, below 2^32; if 0, no array is looked at.
+    size_t count;
+    // Their centres, in the space of the points: arrays of x, y and z.
+    const float *centre[3];
+    // Their radii, in the same unit of length.
+    const float *radius;
+    // Their radiances, in any unit: the luminance, say. Twice as much for one that shall be chosen twice as often. One that is 0,
+    // negative or not finite is never chosen.
+    const float *strength;
+} spherecap_lights_t;
+
+// What is known of the importances of all lights at a point: enough for the probability of each.
+typedef struct spherecap_total_t {
+    // Their sum.
+    float sum;
+    // How many of them are positive.
+    uint32_t lit;
+} spherecap_total_t;
+
+// Which light, and what is left of the random number that chose it.
+typedef struct spherecap_choice_t {
+    // Its place in the arrays; 0 if nothing is lit.
+    size_t index;
+    // The probability of this choice, the very bits that `spherecap_choice_probability` gives for it; 0 if nothing is lit. Times
+    // the density of a sample of that light it is the density of the sample.
+    float probability;
+    // What is left of the random number, in [0, 1]: uniform again, and independent of the choice. Use it for the sample.
+    float rest;
+} spherecap_choice_t;
 
 // `spherecap_receiver_t` in double precision.
 typedef struct spherecap_receiver_f64_t {
@@ -415,6 +449,72 @@ uint32_t spherecap_batch_pdf_on_sphere(const struct spherecap_batch_t *batch,
 uint32_t spherecap_batch_measures(const struct spherecap_batch_t *batch,
                                   const struct spherecap_batch_measures_t *measures,
                                   size_t *refused);
+
+// The importance of a light at each point, to choose among several by; see `spherecap_importances`. `strength` has the light's
+// radiance, in any unit, one for each point. Zero where `spherecap_prepare` would fail, and nowhere else where the strength is
+// positive (but for single roundings: a light that has just set, or that touches the point, may have one).
+//
+// `refused` and errors: as of `spherecap_batch_sample`. A strength that is negative or not finite is bad input, too.
+uint32_t spherecap_batch_importances(const struct spherecap_batch_t *batch,
+                                     const float *strength,
+                                     float *importances,
+                                     size_t *refused);
+
+// How much each light can give to a point (three floats), so that one can be chosen by it: about its unoccluded irradiance over pi,
+// `strength * E / pi` with the projected solid angle E, and equal to that (to an epsilon of the distance) where all of it is above
+// the horizon.
+//
+// It is what the receiver samples that counts. Both hemispheres: the irradiances of both sides. A defensive fraction: that of
+// a light in any direction, `strength * s^2 / 2` with the sine s of its angular radius, takes that fraction of the whole; so it does
+// for `SOLID_ANGLE`, whose fraction is 1. On no surface: `strength * s^2`.
+//
+// Stores at `importances` one number for each light, never less than a millionth below these: so a positive one wherever
+// `spherecap_prepare` succeeds for the light's centre minus the point (in single precision) and its strength is positive. Zero for
+// a light that the point is inside of, and for one with a bad radius, centre or strength. Stores at `total` what the functions
+// below need. Keep both with the point: the probability of any light there then costs next to nothing.
+//
+// Errors: NULL_POINTER (of the arrays, too), TECHNIQUE, HEMISPHERES, DEFENSIVE, NORMAL, INSTRUCTIONS; then `*total`, unless NULL, is
+// zero, and nothing else is stored.
+uint32_t spherecap_importances(const struct spherecap_receiver_t *receiver,
+                               const float *point,
+                               const struct spherecap_lights_t *lights,
+                               float *importances,
+                               struct spherecap_total_t *total);
+
+// The total of `count` importances, below 2^32: for a caller who has added those of other lights to what `spherecap_importances`
+// stored, in the same unit, or who has his own.
+//
+// An importance that is negative or NaN counts as 0, and one above 2^95 as that, here and in the functions below: so no sum is
+// infinite, and no probability wrong.
+//
+// Errors: NULL_POINTER (of `importances` only if there are any), INSTRUCTIONS; then zeros are stored.
+uint32_t spherecap_total(const float *importances,
+                         size_t count,
+                         struct spherecap_total_t *total);
+
+// Chooses one of `count` lights in proportion to their importances, of which `total` is the total, by one random number `u` in
+// [0, 1]. (A number outside is taken for the nearer end, and NaN for 0.) Each light has one interval of it, so strata
+// survive. `even`, in [0, 1], is the fraction of the probability that is spread evenly over all importances that are not 0, for
+// where the bright lights are hidden: 0.02 costs little.
+//
+// Stores the choice; if nothing is lit, or there is nothing to choose from, zeros: a probability of 0, and the status is OK.
+//
+// Errors: NULL_POINTER (of `importances` only if there are any), EVEN, INSTRUCTIONS; then zeros are stored.
+uint32_t spherecap_choose(const float *importances,
+                          size_t count,
+                          const struct spherecap_total_t *total,
+                          float even,
+                          float u,
+                          struct spherecap_choice_t *choice);
+
+// The probability with which `spherecap_choose` gives a light of this importance, to the bit: for the density of a direction that
+// something else has sampled, as multiple importance sampling asks for it.
+//
+// Errors: NULL_POINTER, EVEN, INSTRUCTIONS; then zero is stored.
+uint32_t spherecap_choice_probability(float importance,
+                                      const struct spherecap_total_t *total,
+                                      float even,
+                                      float *probability);
 
 // `spherecap_prepare` in double precision. What it and the functions below return is what those without `_f64` do.
 uint32_t spherecap_prepare_f64(const struct spherecap_receiver_f64_t *receiver,

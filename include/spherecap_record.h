@@ -147,6 +147,18 @@ uint32_t spherecap_record_pdf_on_sphere(const struct spherecap_recorder_t *recor
                                         const struct spherecap_term_t *direction,
                                         struct spherecap_recorded_density_t *density);
 
+// Records the importance of a light at a point, to choose among several by: what `spherecap_importances` stores for a light with
+// this centre, radius and `strength`, to the bit.
+//
+// Stores the node that computes it, a new one and the caller's; zero is its value where the light gives nothing and where its
+// input is bad. See `spherecap_record_sample` for memory.
+//
+// Errors: as `spherecap_record_sample`.
+uint32_t spherecap_record_importance(const struct spherecap_recorder_t *recorder,
+                                     const struct spherecap_recorded_input_t *input,
+                                     const struct spherecap_term_t *strength,
+                                     uint64_t *importance);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus

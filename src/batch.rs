@@ -30,10 +30,11 @@
 
 pub use crate::lane::packet::arrays::Instructions;
 
+use crate::importance::importance_and_distance;
 use crate::lane::packet::arrays::{run_slices, Kernel};
 use crate::lane::{Lane, Mask};
 use crate::offset::Offset;
-use crate::prepare::{is_bad, is_offset, is_unit};
+use crate::prepare::{is_bad, is_offset, is_unit, unit_or_zero};
 use crate::sampling::{Density, Receiver, Sample, Sampler, Strategy};
 use crate::vec3::Vec3;
 
@@ -159,6 +160,27 @@ impl Batch<'_> {
     pub fn measures(&self, measures: Measures<'_>) -> usize {
         self.measures_with(Instructions::widest(), measures)
     }
+
+    /// [`Receiver::importance`] for each point, of a light whose strength `strength` has for it. Strengths that are negative or not
+    /// finite are bad input, too.
+    ///
+    /// ```
+    /// # use spherecap::{batch::Batch, Strategy, Vec3};
+    /// # let (zeros, ones) = ([0.0; 2], [1.0; 2]);
+    /// # let normal = Vec3::new(&zeros[..], &zeros, &ones);
+    /// // One light at the zenith, one below the horizon.
+    /// let centre = Vec3::new(&zeros[..], &zeros, &[2.0, -2.0]);
+    /// let batch = Batch { strategy: Strategy::default(), normal, centre, radius: &ones };
+    /// let mut importances = [0.0; 2];
+    /// assert_eq!(batch.importances(&[8.0, 8.0], &mut importances), 0);
+    /// assert!((importances[0] - 2.0).abs() < 1e-5 && importances[1] == 0.0);
+    /// ```
+    ///
+    /// # Panics
+    /// If the arrays, the batch's own included, differ in length.
+    pub fn importances(&self, strength: &[f32], importances: &mut [f32]) -> usize {
+        self.importances_with(Instructions::widest(), strength, importances)
+    }
 }
 
 /// The same by given instructions, for tests and benches.
@@ -176,7 +198,7 @@ impl Batch<'_> {
     ) -> usize {
         let [nx, ny, nz, cx, cy, cz, radius] = self.points();
         let inputs = [nx, ny, nz, cx, cy, cz, radius, u0, u1];
-        run_slices::<SampleKernel, 9, 12>(instructions, self.strategy, inputs, sample_numbers(samples))
+        run_slices(SampleKernel, instructions, self.strategy, inputs, sample_numbers(samples))
     }
 
     pub fn pdf_with(
@@ -185,7 +207,7 @@ impl Batch<'_> {
         offset: Offset<&[f32]>,
         densities: Densities<'_>,
     ) -> usize {
-        self.densities::<PdfKernel>(instructions, [offset.zenith, offset.side, offset.cosine], densities)
+        self.densities(PdfKernel, instructions, [offset.zenith, offset.side, offset.cosine], densities)
     }
 
     pub fn pdf_direction_with(
@@ -194,7 +216,7 @@ impl Batch<'_> {
         direction: Vec3<&[f32]>,
         densities: Densities<'_>,
     ) -> usize {
-        self.densities::<PdfDirectionKernel>(instructions, direction.into(), densities)
+        self.densities(PdfDirectionKernel, instructions, direction.into(), densities)
     }
 
     pub fn pdf_on_sphere_with(
@@ -203,24 +225,36 @@ impl Batch<'_> {
         direction: Vec3<&[f32]>,
         densities: Densities<'_>,
     ) -> usize {
-        self.densities::<PdfOnSphereKernel>(instructions, direction.into(), densities)
+        self.densities(PdfOnSphereKernel, instructions, direction.into(), densities)
     }
 
-    fn densities<K: Kernel<10, 2>>(
+    fn densities(
         &self,
+        kernel: impl Kernel<10, 2>,
         instructions: Instructions,
         [x, y, z]: [&[f32]; 3],
         densities: Densities<'_>,
     ) -> usize {
         let [nx, ny, nz, cx, cy, cz, radius] = self.points();
         let inputs = [nx, ny, nz, cx, cy, cz, radius, x, y, z];
-        run_slices::<K, 10, 2>(instructions, self.strategy, inputs, density_numbers(densities))
+        run_slices(kernel, instructions, self.strategy, inputs, density_numbers(densities))
     }
 
     pub fn measures_with(&self, instructions: Instructions, measures: Measures<'_>) -> usize {
         let Measures { solid_angle, projected_solid_angle } = measures;
         let outputs = [solid_angle, projected_solid_angle];
-        run_slices::<MeasuresKernel, 7, 2>(instructions, self.strategy, self.points(), outputs)
+        run_slices(MeasuresKernel, instructions, self.strategy, self.points(), outputs)
+    }
+
+    pub fn importances_with(
+        &self,
+        instructions: Instructions,
+        strength: &[f32],
+        importances: &mut [f32],
+    ) -> usize {
+        let [nx, ny, nz, cx, cy, cz, radius] = self.points();
+        let inputs = [nx, ny, nz, cx, cy, cz, radius, strength];
+        run_slices(ImportanceKernel, instructions, self.strategy, inputs, [Some(importances)])
     }
 
     fn points(&self) -> [&[f32]; 7] {
@@ -266,7 +300,7 @@ impl<L: Lane> Point<L> {
         let is_bad = if is_good.all() {
             !is_good
         } else {
-            !is_rest_good | is_bad(&self.receiver, self.centre, self.radius, sampler.cap())
+            !is_rest_good | is_bad(&self.receiver, self.centre, self.radius, sampler.cap().distance())
         };
         (numbers, is_bad)
     }
@@ -300,11 +334,13 @@ pub(crate) fn density_numbers<T>(density: Density<T>) -> [T; 2] {
 }
 
 /// [`Sampler::sample`]: a point and two random numbers give a sample.
+#[derive(Clone, Copy)]
 pub(crate) struct SampleKernel;
 
 impl Kernel<9, 12> for SampleKernel {
     #[inline(always)]
     fn run<L: Lane>(
+        self,
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, u0, u1]: [L; 9],
     ) -> ([L; 12], L::Mask) {
@@ -316,11 +352,13 @@ impl Kernel<9, 12> for SampleKernel {
 }
 
 /// [`Sampler::pdf`]: a point and an offset give a density.
+#[derive(Clone, Copy)]
 pub(crate) struct PdfKernel;
 
 impl Kernel<10, 2> for PdfKernel {
     #[inline(always)]
     fn run<L: Lane>(
+        self,
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, zenith, side, cosine]: [L; 10],
     ) -> ([L; 2], L::Mask) {
@@ -333,11 +371,13 @@ impl Kernel<10, 2> for PdfKernel {
 }
 
 /// [`Sampler::pdf_direction`]: a point and a direction give a density.
+#[derive(Clone, Copy)]
 pub(crate) struct PdfDirectionKernel;
 
 impl Kernel<10, 2> for PdfDirectionKernel {
     #[inline(always)]
     fn run<L: Lane>(
+        self,
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10],
     ) -> ([L; 2], L::Mask) {
@@ -350,11 +390,13 @@ impl Kernel<10, 2> for PdfDirectionKernel {
 }
 
 /// [`Sampler::pdf_on_sphere`], likewise.
+#[derive(Clone, Copy)]
 pub(crate) struct PdfOnSphereKernel;
 
 impl Kernel<10, 2> for PdfOnSphereKernel {
     #[inline(always)]
     fn run<L: Lane>(
+        self,
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10],
     ) -> ([L; 2], L::Mask) {
@@ -367,16 +409,36 @@ impl Kernel<10, 2> for PdfOnSphereKernel {
 }
 
 /// A point gives the solid angle and the projected one.
+#[derive(Clone, Copy)]
 pub(crate) struct MeasuresKernel;
 
 impl Kernel<7, 2> for MeasuresKernel {
     #[inline(always)]
-    fn run<L: Lane>(strategy: Strategy<L>, numbers: [L; 7]) -> ([L; 2], L::Mask) {
+    fn run<L: Lane>(self, strategy: Strategy<L>, numbers: [L; 7]) -> ([L; 2], L::Mask) {
         let point = Point::new(strategy, numbers);
         let (sampler, is_sampled) = point.sampler();
         let cap = sampler.cap();
         let measures = [cap.solid_angle(), cap.projected_solid_angle()];
         point.results((sampler, is_sampled), always::<L>(), measures)
+    }
+}
+
+/// [`Receiver::importance`]: a point and a strength give a number.
+#[derive(Clone, Copy)]
+pub(crate) struct ImportanceKernel;
+
+impl Kernel<8, 1> for ImportanceKernel {
+    #[inline(always)]
+    fn run<L: Lane>(
+        self,
+        strategy: Strategy<L>,
+        [nx, ny, nz, cx, cy, cz, radius, strength]: [L; 8],
+    ) -> ([L; 1], L::Mask) {
+        let Point { receiver, centre, radius } = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let unit = unit_or_zero(receiver.normal);
+        let (importance, distance) = importance_and_distance(unit, strategy, centre, radius, strength);
+        let is_strength = L::lit(0.0).le(strength) & strength.le(L::lit(L::MAX));
+        ([importance], !is_strength | is_bad(&receiver, centre, radius, distance))
     }
 }
 

@@ -46,11 +46,14 @@
 
 pub mod batch;
 mod cap;
+mod choice;
 mod compensated;
 mod disk;
 mod ffi;
 mod fits;
+mod importance;
 mod lane;
+pub mod lights;
 mod math;
 mod offset;
 mod prepare;

@@ -107,7 +107,7 @@ pub(crate) fn is_unit<L: Lane>(v: Vec3<L>) -> L::Mask {
 /// Unit vectors of single precision are used as they stand. With a longer or shorter one the cap would contradict itself:
 /// a cosine would not be that of its angle.
 #[inline(always)]
-fn unit_or_zero<L: Lane>(normal: Vec3<L>) -> Vec3<L> {
+pub(crate) fn unit_or_zero<L: Lane>(normal: Vec3<L>) -> Vec3<L> {
     let excess = normal.dot(normal) - lit(1.0);
     let is_rounded = excess.abs().le(L::lit(4.0 * f64::from(f32::EPSILON)));
     branch!(is_rounded, normal, {
@@ -132,6 +132,13 @@ pub(crate) fn is_offset<L: Lane>(offset: Offset<L>) -> L::Mask {
     zenith.abs().le(largest) & side.abs().le(largest) & cosine.abs().le(largest)
 }
 
+/// Whether all components are finite.
+#[inline(always)]
+fn is_finite<L: Lane>(v: Vec3<L>) -> L::Mask {
+    let largest = L::lit(L::MAX);
+    v.x.abs().le(largest) & v.y.abs().le(largest) & v.z.abs().le(largest)
+}
+
 /// What is wrong with input, each a mask.
 struct Faults<M> {
     defensive: M,
@@ -141,18 +148,16 @@ struct Faults<M> {
 }
 
 impl<M: Mask> Faults<M> {
-    /// Those of what [`Sampler::prepare`] is given; `cap` is what [`Cap::new`] made of it.
+    /// Those of what [`Sampler::prepare`] is given; `distance` is what [`Cap::new`] made of it.
     #[inline(always)]
-    fn of<L: Lane<Mask = M>>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L, cap: &Cap<L>) -> Self {
+    fn of<L: Lane<Mask = M>>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L, distance: L) -> Self {
         let (zero, largest) = (L::lit(0.0), L::lit(L::MAX));
-        let normal = receiver.normal;
-        let is_finite = normal.x.abs().le(largest) & normal.y.abs().le(largest) & normal.z.abs().le(largest);
         let is_away = zero.lt(centre.x.abs() + centre.y.abs() + centre.z.abs());
         Self {
             defensive: !is_fraction(receiver.strategy.defensive),
-            normal: !is_finite,
+            normal: !is_finite(receiver.normal),
             radius: !(zero.lt(radius) & radius.le(largest)),
-            centre: !(is_away & cap.distance().le(largest)),
+            centre: !(is_away & distance.le(largest)),
         }
     }
 
@@ -193,7 +198,7 @@ impl<F: Scalar> Sampler<F> {
 /// Why a preparation was not possible; `cap` is what [`Cap::new`] made of the input.
 #[inline(always)]
 pub(crate) fn refusal<F: Scalar>(receiver: Receiver<F>, centre: Vec3<F>, radius: F, cap: &Cap<F>) -> Refusal {
-    let faults = Faults::of(&receiver, centre, radius, cap);
+    let faults = Faults::of(&receiver, centre, radius, cap.distance());
     if faults.defensive {
         Refusal::Defensive
     } else if faults.normal {
@@ -209,10 +214,22 @@ pub(crate) fn refusal<F: Scalar>(receiver: Receiver<F>, centre: Vec3<F>, radius:
     }
 }
 
-/// Where the input is bad, other than valid input with nothing to sample; `cap` likewise.
+/// What is wrong with a receiver, whatever it sees.
+#[inline]
+pub(crate) fn receiver_refusal<F: Scalar>(receiver: &Receiver<F>) -> Option<Refusal> {
+    if !is_fraction(receiver.strategy.defensive) {
+        Some(Refusal::Defensive)
+    } else if !is_finite(receiver.normal) {
+        Some(Refusal::Normal)
+    } else {
+        None
+    }
+}
+
+/// Where the input is bad, other than valid input with nothing to sample; `distance` is the cap's.
 #[inline(always)]
-pub(crate) fn is_bad<L: Lane>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L, cap: &Cap<L>) -> L::Mask {
-    Faults::of(receiver, centre, radius, cap).any()
+pub(crate) fn is_bad<L: Lane>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L, distance: L) -> L::Mask {
+    Faults::of(receiver, centre, radius, distance).any()
 }
 
 impl<L: Lane> Sampler<L> {

@@ -54,7 +54,7 @@ fn check(name: &str, made: &str) {
 fn the_header_is_not_stale() {
     let [major, minor, patch] =
         [env!("CARGO_PKG_VERSION_MAJOR"), env!("CARGO_PKG_VERSION_MINOR"), env!("CARGO_PKG_VERSION_PATCH")];
-    let made = made("spherecap.h", &["single.rs", "batch.rs", "double.rs"], |config| {
+    let made = made("spherecap.h", &["single.rs", "batch.rs", "lights.rs", "double.rs"], |config| {
         config.autogen_warning = Some(format!("{GENERATED}\n//\n{PROMISES}"));
         config.sys_includes = ["stddef.h", "stdint.h"].map(String::from).into();
         config.after_includes = Some(format!(

@@ -6,8 +6,8 @@ use super::calls::{enums, NULL_POINTER, OK};
 use super::instructions::instructions;
 use super::single::spherecap_status_t as Status;
 use crate::batch::{
-    density_numbers, sample_numbers, MeasuresKernel, PdfDirectionKernel, PdfKernel, PdfOnSphereKernel,
-    SampleKernel,
+    density_numbers, sample_numbers, ImportanceKernel, MeasuresKernel, PdfDirectionKernel, PdfKernel,
+    PdfOnSphereKernel, SampleKernel,
 };
 use crate::lane::packet::arrays::{run, Kernel};
 use crate::offset::Offset;
@@ -153,7 +153,7 @@ pub unsafe extern "C" fn spherecap_batch_sample(
     let [nx, ny, nz, cx, cy, cz, radius] = batch.points();
     let inputs = [nx, ny, nz, cx, cy, cz, radius, u0, u1];
     // SAFETY: the header's contract.
-    unsafe { batch.run::<SampleKernel, 9, 12>(inputs, outputs, refused) }
+    unsafe { batch.run(SampleKernel, inputs, outputs, refused) }
 }
 
 /// `spherecap_pdf` for each point. The density is also zero where the sphere or the offset would be refused.
@@ -169,7 +169,7 @@ pub unsafe extern "C" fn spherecap_batch_pdf(
     // SAFETY: the header's contract.
     let offsets = unsafe { offsets.as_ref() }.map(|o| [o.zenith, o.side, o.cosine]);
     // SAFETY: the header's contract.
-    unsafe { densities_of::<PdfKernel>(batch, offsets, densities, refused) }
+    unsafe { densities_of(PdfKernel, batch, offsets, densities, refused) }
 }
 
 /// `spherecap_pdf_direction` for each point. The density is also zero where the sphere or the direction would be refused.
@@ -185,7 +185,7 @@ pub unsafe extern "C" fn spherecap_batch_pdf_direction(
     // SAFETY: the header's contract.
     let directions = unsafe { directions.as_ref() }.map(|d| [d.x, d.y, d.z]);
     // SAFETY: the header's contract.
-    unsafe { densities_of::<PdfDirectionKernel>(batch, directions, densities, refused) }
+    unsafe { densities_of(PdfDirectionKernel, batch, directions, densities, refused) }
 }
 
 /// `spherecap_pdf_on_sphere` for each point; otherwise as `spherecap_batch_pdf_direction`.
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn spherecap_batch_pdf_on_sphere(
     // SAFETY: the header's contract.
     let directions = unsafe { directions.as_ref() }.map(|d| [d.x, d.y, d.z]);
     // SAFETY: the header's contract.
-    unsafe { densities_of::<PdfOnSphereKernel>(batch, directions, densities, refused) }
+    unsafe { densities_of(PdfOnSphereKernel, batch, directions, densities, refused) }
 }
 
 /// `spherecap_solid_angle` and `spherecap_projected_solid_angle` for each point, to the bit; both are zero where
@@ -220,12 +220,36 @@ pub unsafe extern "C" fn spherecap_batch_measures(
     let (Some(batch), Some(measures)) = (batch, measures) else { return NULL_POINTER };
     let outputs = [measures.solid_angle, measures.projected_solid_angle];
     // SAFETY: the header's contract.
-    unsafe { batch.run::<MeasuresKernel, 7, 2>(batch.points(), outputs, refused) }
+    unsafe { batch.run(MeasuresKernel, batch.points(), outputs, refused) }
+}
+
+/// The importance of a light at each point, to choose among several by; see `spherecap_importances`. `strength` has the light's
+/// radiance, in any unit, one for each point. Zero where `spherecap_prepare` would fail, and nowhere else where the strength is
+/// positive (but for single roundings: a light that has just set, or that touches the point, may have one).
+///
+/// `refused` and errors: as of `spherecap_batch_sample`. A strength that is negative or not finite is bad input, too.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_batch_importances(
+    batch: *const spherecap_batch_t,
+    strength: *const f32,
+    importances: *mut f32,
+    refused: *mut usize,
+) -> u32 {
+    // SAFETY: the header's contract.
+    let Some(batch) = (unsafe { batch.as_ref() }) else { return NULL_POINTER };
+    if batch.count > 0 && importances.is_null() {
+        return NULL_POINTER;
+    }
+    let [nx, ny, nz, cx, cy, cz, radius] = batch.points();
+    let inputs = [nx, ny, nz, cx, cy, cz, radius, strength];
+    // SAFETY: the header's contract.
+    unsafe { batch.run(ImportanceKernel, inputs, [importances], refused) }
 }
 
 /// # Safety
 /// That of the functions above.
-unsafe fn densities_of<K: Kernel<10, 2>>(
+unsafe fn densities_of(
+    kernel: impl Kernel<10, 2>,
     batch: *const spherecap_batch_t,
     vectors: Option<[*const f32; 3]>,
     densities: *const spherecap_batch_densities_t,
@@ -239,7 +263,7 @@ unsafe fn densities_of<K: Kernel<10, 2>>(
     let [nx, ny, nz, cx, cy, cz, radius] = batch.points();
     let inputs = [nx, ny, nz, cx, cy, cz, radius, x, y, z];
     // SAFETY: the header's contract.
-    unsafe { batch.run::<K, 10, 2>(inputs, density_numbers(densities.into()), refused) }
+    unsafe { batch.run(kernel, inputs, density_numbers(densities.into()), refused) }
 }
 
 impl spherecap_batch_t {
@@ -250,8 +274,9 @@ impl spherecap_batch_t {
 
     /// # Safety
     /// That of the functions above.
-    unsafe fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
+    unsafe fn run<const I: usize, const O: usize>(
         &self,
+        kernel: impl Kernel<I, O>,
         inputs: [*const f32; I],
         outputs: [*mut f32; O],
         refused: *mut usize,
@@ -272,7 +297,7 @@ impl spherecap_batch_t {
         }
         let strategy = Strategy { technique, hemispheres, defensive: self.defensive };
         // SAFETY: the header's contract, and the CPU has these instructions.
-        let bad = unsafe { run::<K, I, O>(instructions, strategy, &inputs, &outputs, self.count) };
+        let bad = unsafe { run(kernel, instructions, strategy, &inputs, &outputs, self.count) };
         if !refused.is_null() {
             // SAFETY: the header's contract.
             unsafe { refused.write(bad) };

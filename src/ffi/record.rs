@@ -231,20 +231,30 @@ fn vector<'t>(tape: &'t Tape, terms: [spherecap_term_t; 3]) -> Vec3<Recorded<'t>
     terms.map(|term| lane(tape, term)).into()
 }
 
-/// The prepared sampler, and where there is something to sample.
-///
+/// What receives the light, and the sphere's centre and radius.
+type Input<'t> = (Receiver<Recorded<'t>>, Vec3<Recorded<'t>>, Recorded<'t>);
+
 /// # Safety
 /// `input` is NULL or points to a readable `spherecap_recorded_input_t`.
-unsafe fn prepare<'t>(
-    tape: &'t Tape,
-    input: *const spherecap_recorded_input_t,
-) -> Result<(Sampler<Recorded<'t>>, RecordedMask<'t>), u32> {
+unsafe fn lanes<'t>(tape: &'t Tape, input: *const spherecap_recorded_input_t) -> Result<Input<'t>, u32> {
     // SAFETY: the caller's promise.
     let input = unsafe { input.as_ref() }.ok_or(NULL_POINTER)?;
     let (technique, hemispheres) = enums(input.technique, input.hemispheres)?;
     let strategy = Strategy { technique, hemispheres, defensive: lane(tape, input.defensive) };
     let receiver = Receiver { normal: vector(tape, input.normal), strategy };
-    let (centre, radius) = (vector(tape, input.centre), lane(tape, input.radius));
+    Ok((receiver, vector(tape, input.centre), lane(tape, input.radius)))
+}
+
+/// The prepared sampler, and where there is something to sample.
+///
+/// # Safety
+/// That of `lanes`.
+unsafe fn prepare<'t>(
+    tape: &'t Tape,
+    input: *const spherecap_recorded_input_t,
+) -> Result<(Sampler<Recorded<'t>>, RecordedMask<'t>), u32> {
+    // SAFETY: the caller's promise.
+    let (receiver, centre, radius) = unsafe { lanes(tape, input) }?;
     Ok(Sampler::prepare_where_possible(receiver, centre, radius))
 }
 
@@ -339,4 +349,35 @@ pub unsafe extern "C" fn spherecap_record_pdf_on_sphere(
     });
     // SAFETY: the header's contract.
     unsafe { store(density, result) }
+}
+
+/// Records the importance of a light at a point, to choose among several by: what `spherecap_importances` stores for a light with
+/// this centre, radius and `strength`, to the bit.
+///
+/// Stores the node that computes it, a new one and the caller's; zero is its value where the light gives nothing and where its
+/// input is bad. See `spherecap_record_sample` for memory.
+///
+/// Errors: as `spherecap_record_sample`.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_record_importance(
+    recorder: *const spherecap_recorder_t,
+    input: *const spherecap_recorded_input_t,
+    strength: *const spherecap_term_t,
+    importance: *mut u64,
+) -> u32 {
+    // SAFETY: the header's contract.
+    let (recorder, strength) = unsafe { (complete(recorder), strength.as_ref()) };
+    let result = recorder.and_then(|recorder| {
+        let strength = *strength.filter(|_| !importance.is_null()).ok_or(NULL_POINTER)?;
+        let tape = Tape::default();
+        // SAFETY: the header's contract.
+        let (receiver, centre, radius) = unsafe { lanes(&tape, input) }?;
+        let number = receiver.importance(centre, radius, lane(&tape, strength));
+        let [node] = tape
+            .play(&recorder, [tape.want_number(number)])
+            .ok_or(Status::SPHERECAP_STATUS_RECORDER as u32)?;
+        Ok(node)
+    });
+    // SAFETY: the header's contract.
+    unsafe { store(importance, result) }
 }

@@ -66,6 +66,8 @@ pub enum spherecap_status_t {
     SPHERECAP_STATUS_INSTRUCTIONS = 12,
     /// A function of a recorder returned 0.
     SPHERECAP_STATUS_RECORDER = 13,
+    /// The part of a choice that is spread evenly is not in [0, 1].
+    SPHERECAP_STATUS_EVEN = 14,
 }
 /// What receives the light: a surface, or a point on none, and how its light is sampled. All zeros but a normal are the right
 /// choice for a diffuse surface. Whoever asks for a density, as multiple importance sampling does, must ask with the receiver
@@ -151,7 +153,7 @@ pub extern "C" fn spherecap_version() -> *const c_char {
 /// gets words that say so.
 #[no_mangle]
 pub extern "C" fn spherecap_status_message(status: u32) -> *const c_char {
-    const MESSAGES: [&CStr; 14] = [
+    const MESSAGES: [&CStr; 15] = [
         c"success",
         Refusal::Invisible.message(),
         Refusal::Inside.message(),
@@ -166,6 +168,7 @@ pub extern "C" fn spherecap_status_message(status: u32) -> *const c_char {
         c"the sampler was never prepared with this precision, or overwritten: call spherecap_prepare (or its f64 form) on it first",
         c"the environment variable SPHERECAP_INSTRUCTIONS must be portable, avx2 or avx512, and the CPU must have them: unset it",
         c"the recorder failed to make a node: its functions returned 0",
+        c"the part of a choice that is spread evenly must be a number in [0, 1]",
     ];
     MESSAGES.get(status as usize).copied().unwrap_or(c"this number is not a spherecap_status_t").as_ptr()
 }

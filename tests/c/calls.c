@@ -364,7 +364,7 @@ static uint32_t count_end_if(void *user, uint64_t conditional, uint64_t *nodes, 
     return 1;
 }
 
-// Both functions give this status and zeros.
+// All functions give this status and zeros.
 static void expect_no_record(const spherecap_recorder_t *recorder, const spherecap_recorded_input_t *input,
                              const spherecap_term_t *u, const spherecap_term_t *direction,
                              uint32_t expected) {
@@ -372,6 +372,8 @@ static void expect_no_record(const spherecap_recorder_t *recorder, const spherec
     spherecap_recorded_density_t density;
     EXPECT_NOTHING(expected, sample, spherecap_record_sample(recorder, input, u, &sample));
     EXPECT_NOTHING(expected, density, spherecap_record_pdf_on_sphere(recorder, input, direction, &density));
+    uint64_t importance;
+    EXPECT_NOTHING(expected, importance, spherecap_record_importance(recorder, input, u, &importance));
 }
 
 static void recorders(void) {
@@ -387,7 +389,10 @@ static void recorders(void) {
     spherecap_recorded_density_t density;
     CHECK(spherecap_record_sample(&recorder, &good, term, &sample) == SPHERECAP_STATUS_OK);
     CHECK(spherecap_record_pdf_on_sphere(&recorder, &good, term, &density) == SPHERECAP_STATUS_OK);
-    CHECK(counter.alive == 13 && sample.density.solid_angle != 0 && density.solid_angle != 0);
+    uint64_t importance;
+    CHECK(spherecap_record_importance(&recorder, &good, term, &importance) == SPHERECAP_STATUS_OK);
+    CHECK(counter.alive == 14 && sample.density.solid_angle != 0 && density.solid_angle != 0);
+    CHECK(importance != 0);
     counter.alive = 0;
 
     counter.enough = counter.made + 50;
@@ -409,6 +414,7 @@ static void recorders(void) {
     expect_no_record(&recorder, &good, NULL, NULL, null);
     CHECK(spherecap_record_sample(&recorder, &good, term, NULL) == null);
     CHECK(spherecap_record_pdf_on_sphere(&recorder, &good, term, NULL) == null);
+    CHECK(spherecap_record_importance(&recorder, &good, term, NULL) == null);
     spherecap_recorded_input_t input = good;
     input.technique = 3;
     expect_no_record(&recorder, &input, term, term, SPHERECAP_STATUS_TECHNIQUE);
@@ -487,6 +493,7 @@ static void samplers_that_were_never_prepared(void) {
 
 static void messages(void) {
     met[SPHERECAP_STATUS_INSTRUCTIONS] = 1; // by `no_instructions.c`
+    met[SPHERECAP_STATUS_EVEN] = 1;         // by `lights.c`
     const char *no_status = spherecap_status_message(UINT32_MAX);
     for (uint32_t status = 0; status < sizeof met / sizeof *met; ++status) {
         const char *message = spherecap_status_message(status);

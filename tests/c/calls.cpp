@@ -54,6 +54,23 @@ void call_everything() {
     CHECK(spherecap_density_bound(&sampler, &bound) == SPHERECAP_STATUS_OK);
     CHECK(projected_solid_angle < solid_angle && bound >= 1.0f);
 
+    const spherecap_receiver_t receiver{{0.0f, 0.0f, 1.0f}, 0, 0, 0.0f};
+    const std::array<float, 2> x{3.0f, -2.0f}, y{0.0f, 1.0f}, z{0.5f, 2.0f}, radius{1.0f, 0.5f},
+        strength{1.0f, 4.0f};
+    const spherecap_lights_t lights{x.size(), {x.data(), y.data(), z.data()}, radius.data(), strength.data()};
+    std::array<float, 2> importances;
+    spherecap_total_t total;
+    spherecap_choice_t choice;
+    float probability;
+    CHECK(spherecap_importances(&receiver, std::array<float, 3>{}.data(), &lights, importances.data(),
+                                &total) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_total(importances.data(), importances.size(), &total) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_choose(importances.data(), importances.size(), &total, 0.02f, 0.9f, &choice) ==
+          SPHERECAP_STATUS_OK);
+    CHECK(spherecap_choice_probability(importances[choice.index], &total, 0.02f, &probability) ==
+          SPHERECAP_STATUS_OK);
+    CHECK(choice.probability == probability && probability > 0.0f);
+
     CHECK(spherecap_sample(nullptr, 0.5f, 0.5f, &sample) == SPHERECAP_STATUS_NULL_POINTER);
 }
 
@@ -115,6 +132,8 @@ void call_the_batches() {
     const spherecap_batch_measures_t measures{nullptr, pdf.data()};
     CHECK(spherecap_batch_measures(&batch, &measures, nullptr) == SPHERECAP_STATUS_OK);
     CHECK(*std::min_element(pdf.begin(), pdf.end()) > 0.0f);
+    CHECK(spherecap_batch_importances(&batch, batch.radius, pdf.data(), nullptr) == SPHERECAP_STATUS_OK);
+    CHECK(*std::min_element(pdf.begin(), pdf.end()) > 0.0f);
     CHECK(!std::string_view(spherecap_batch_instructions()).empty());
 }
 
@@ -174,7 +193,9 @@ void call_the_recorder() {
     CHECK(spherecap_record_sample(&recorder, &inputs, terms.data(), &sample) == SPHERECAP_STATUS_OK);
     spherecap_recorded_density_t density;
     CHECK(spherecap_record_pdf_on_sphere(&recorder, &inputs, terms.data(), &density) == SPHERECAP_STATUS_OK);
-    CHECK(std::count(alive.begin(), alive.end(), true) == 1 + 11 + 2);
+    uint64_t importance;
+    CHECK(spherecap_record_importance(&recorder, &inputs, terms.data(), &importance) == SPHERECAP_STATUS_OK);
+    CHECK(std::count(alive.begin(), alive.end(), true) == 1 + 11 + 2 + 1);
 }
 
 } // namespace

@@ -52,5 +52,18 @@ int main(void) {
     CHECK(spherecap_batch_pdf_direction(&batch, &directions, &densities, NULL) == expected);
     CHECK(spherecap_batch_pdf_on_sphere(&batch, &directions, &densities, NULL) == expected);
     CHECK(spherecap_batch_measures(&batch, &measures, NULL) == expected);
+    CHECK(spherecap_batch_importances(&batch, NULL, NULL, NULL) == expected);
+
+    const spherecap_receiver_t floor = {{0.0f, 0.0f, 1.0f}, 0, 0, 0.0f};
+    const spherecap_lights_t lights = {0, {NULL, NULL, NULL}, NULL, NULL};
+    const spherecap_total_t one = {1.0f, 1};
+    spherecap_total_t total;
+    spherecap_choice_t choice;
+    CHECK(spherecap_importances(&floor, zenith, &lights, NULL, &total) == expected);
+    CHECK(is_all_zero(&total, sizeof total));
+    CHECK(spherecap_total(zenith, 3, &total) == expected);
+    CHECK(spherecap_choose(zenith, 3, &one, 0.0f, 0.5f, &choice) == expected);
+    CHECK(is_all_zero(&choice, sizeof choice));
+    CHECK(spherecap_choice_probability(1.0f, &one, 0.0f, &number) == expected);
     return 0;
 }

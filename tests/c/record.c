@@ -4,7 +4,7 @@
 // their end.
 //
 // Input: as of `bits.c`. Output: how many lines there were, how many of them had something to sample, and the
-// most operations of a sample and of a density, and the most conditionals of each.
+// most operations of a sample, of a density and of an importance, and the most conditionals of each.
 
 #include "spherecap_record.h"
 
@@ -287,6 +287,29 @@ static void check_density(most_t *most, const spherecap_recorder_t *recorder, co
     add_to(most);
 }
 
+// Of a light as strong as the first random number.
+static void check_importance(most_t *most, const spherecap_recorder_t *recorder, const uint32_t *words,
+                             const float *in, int with_nodes) {
+    const spherecap_receiver_t receiver = {{in[3], in[4], in[5]}, words[0], words[1], in[2]};
+    const spherecap_lights_t light = {1, {&in[6], &in[7], &in[8]}, &in[9], &in[10]};
+    const float origin[3] = {0.0f, 0.0f, 0.0f};
+    float expected = 0.0f; // where the receiver is refused
+    spherecap_total_t total;
+    (void)spherecap_importances(&receiver, origin, &light, &expected, &total);
+    start();
+    graph_t *inputs = with_nodes ? &graph : NULL;
+    const spherecap_recorded_input_t input = recorded_input(inputs, words, in);
+    const spherecap_term_t strength = term(inputs, in[10]);
+    const unsigned before = graph.alive;
+    uint64_t importance;
+    CHECK(spherecap_record_importance(recorder, &input, &strength, &importance) == SPHERECAP_STATUS_OK);
+    CHECK(graph.alive == before + 1);
+    expect_bits(&graph, importance, expected);
+    release(&graph, importance);
+    CHECK(graph.alive == before && (with_nodes || graph.operations == 0));
+    add_to(most);
+}
+
 // A recorder that fails at its n-th node: everything comes back, whatever n.
 static void check_failures(const spherecap_recorder_t *recorder, const uint32_t *words, const float *in) {
     for (unsigned n = 9;; n += 7) {
@@ -313,7 +336,7 @@ static void check_failures(const spherecap_recorder_t *recorder, const uint32_t 
 int main(void) {
     uint32_t words[WORDS_IN];
     unsigned lines = 0, sampled = 0;
-    most_t of_samples = {0, 0}, of_densities = {0, 0};
+    most_t of_samples = {0, 0}, of_densities = {0, 0}, of_importances = {0, 0};
     while (read_words(words)) {
         float in[WORDS_IN];
         for (int i = 0; i < WORDS_IN; ++i) {
@@ -333,6 +356,7 @@ int main(void) {
             // results.
             for (int with_nodes = 0; with_nodes < 2; ++with_nodes) {
                 check_sample(&of_samples, recorder, words, in, with_nodes, &sample, is_sampled);
+                check_importance(&of_importances, recorder, words, in, with_nodes);
                 for (int j = 0; j < 3; ++j) {
                     const uint32_t expected = spherecap_pdf_on_sphere(&sampler, directions[j], &density);
                     CHECK(status != SPHERECAP_STATUS_OK || (expected == SPHERECAP_STATUS_OK) == (j < 2));
@@ -346,7 +370,8 @@ int main(void) {
         ++lines;
         sampled += (unsigned)is_sampled;
     }
-    printf("%u %u %u %u %u %u\n", lines, sampled, of_samples.operations, of_densities.operations,
-           of_samples.conditionals, of_densities.conditionals);
+    printf("%u %u %u %u %u %u %u %u\n", lines, sampled, of_samples.operations, of_densities.operations,
+           of_importances.operations, of_samples.conditionals, of_densities.conditionals,
+           of_importances.conditionals);
     return 0;
 }

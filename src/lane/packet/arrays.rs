@@ -75,9 +75,10 @@ impl fmt::Display for Instructions {
     }
 }
 
-/// What is computed for each element of the arrays: numbers in, numbers out, and whether the input was bad.
-pub(crate) trait Kernel<const INPUTS: usize, const OUTPUTS: usize> {
-    fn run<L: Lane>(strategy: Strategy<L>, inputs: [L; INPUTS]) -> ([L; OUTPUTS], L::Mask);
+/// What is computed for each element of the arrays: numbers in, numbers out, and whether the input was bad. A kernel holds what else
+/// all elements share.
+pub(crate) trait Kernel<const INPUTS: usize, const OUTPUTS: usize>: Copy {
+    fn run<L: Lane>(self, strategy: Strategy<L>, inputs: [L; INPUTS]) -> ([L; OUTPUTS], L::Mask);
 }
 
 /// Runs a kernel over arrays of one length, and counts where the input was bad.
@@ -85,6 +86,7 @@ pub(crate) trait Kernel<const INPUTS: usize, const OUTPUTS: usize> {
 /// # Panics
 /// If they differ in length.
 pub(crate) fn run_slices<K: Kernel<I, O>, const I: usize, const O: usize>(
+    kernel: K,
     instructions: Instructions,
     strategy: Strategy<f32>,
     inputs: [&[f32]; I],
@@ -103,7 +105,7 @@ pub(crate) fn run_slices<K: Kernel<I, O>, const I: usize, const O: usize>(
     let outputs = outputs.map(|output| output.map_or(core::ptr::null_mut(), <[f32]>::as_mut_ptr));
     assert!(instructions.are_available(), "this CPU does not have {instructions}");
     // SAFETY: the lengths and the CPU were checked, and slices are valid.
-    unsafe { run::<K, I, O>(instructions, strategy, &inputs, &outputs, count) }
+    unsafe { run(kernel, instructions, strategy, &inputs, &outputs, count) }
 }
 
 /// Runs a kernel over arrays of `count` numbers, and counts where the input was bad.
@@ -113,6 +115,7 @@ pub(crate) fn run_slices<K: Kernel<I, O>, const I: usize, const O: usize>(
 /// without touching what another argument points to.
 #[inline]
 pub(crate) unsafe fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
+    kernel: K,
     instructions: Instructions,
     strategy: Strategy<f32>,
     inputs: &[*const f32; I],
@@ -124,22 +127,28 @@ pub(crate) unsafe fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
         match instructions {
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx512 => {
-                any_length::<{ F32x16::WIDTH }, I, O>(avx512::<K, I, O>, strategy, inputs, outputs, count)
+                any_length::<{ F32x16::WIDTH }, K, I, O>(avx512, kernel, strategy, inputs, outputs, count)
             }
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2 => {
-                any_length::<{ F32x8::WIDTH }, I, O>(avx2::<K, I, O>, strategy, inputs, outputs, count)
+                any_length::<{ F32x8::WIDTH }, K, I, O>(avx2, kernel, strategy, inputs, outputs, count)
             }
-            _ => packets::<f32, K, I, O>(strategy, inputs, outputs, count),
+            _ => packets::<f32, K, I, O>(kernel, strategy, inputs, outputs, count),
         }
     }
 }
 
+/// A function that reads and writes whole packets.
+#[cfg(target_arch = "x86_64")]
+type Packets<K, const I: usize, const O: usize> =
+    unsafe fn(K, Strategy<f32>, &[*const f32; I], &[*mut f32; O], usize) -> usize;
+
 /// What remains after the last whole packet is copied to one that is filled up with zeros, and back.
 #[cfg(target_arch = "x86_64")]
 #[inline(always)]
-unsafe fn any_length<const WIDTH: usize, const I: usize, const O: usize>(
-    packets: unsafe fn(Strategy<f32>, &[*const f32; I], &[*mut f32; O], usize) -> usize,
+unsafe fn any_length<const WIDTH: usize, K: Kernel<I, O>, const I: usize, const O: usize>(
+    packets: Packets<K, I, O>,
+    kernel: K,
     strategy: Strategy<f32>,
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
@@ -151,7 +160,7 @@ unsafe fn any_length<const WIDTH: usize, const I: usize, const O: usize>(
     // SAFETY: the caller's promise; `rest` numbers fit into a packet.
     unsafe {
         if whole > 0 {
-            bad += packets(strategy, inputs, outputs, whole);
+            bad += packets(kernel, strategy, inputs, outputs, whole);
         }
         if rest > 0 {
             let (mut filled, mut results) = ([[0.0_f32; WIDTH]; I], [[0.0_f32; WIDTH]; O]);
@@ -163,7 +172,7 @@ unsafe fn any_length<const WIDTH: usize, const I: usize, const O: usize>(
             for i in 0..O {
                 to[i] = results[i].as_mut_ptr();
             }
-            bad += packets(strategy, &from, &to, rest);
+            bad += packets(kernel, strategy, &from, &to, rest);
             for i in 0..O {
                 if !outputs[i].is_null() {
                     results[i].as_ptr().copy_to_nonoverlapping(outputs[i].add(whole), rest);
@@ -177,30 +186,33 @@ unsafe fn any_length<const WIDTH: usize, const I: usize, const O: usize>(
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f")]
 unsafe fn avx512<K: Kernel<I, O>, const I: usize, const O: usize>(
+    kernel: K,
     strategy: Strategy<f32>,
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
     count: usize,
 ) -> usize {
     // SAFETY: the caller's promise.
-    unsafe { packets::<F32x16, K, I, O>(strategy, inputs, outputs, count) }
+    unsafe { packets::<F32x16, K, I, O>(kernel, strategy, inputs, outputs, count) }
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 unsafe fn avx2<K: Kernel<I, O>, const I: usize, const O: usize>(
+    kernel: K,
     strategy: Strategy<f32>,
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
     count: usize,
 ) -> usize {
     // SAFETY: the caller's promise.
-    unsafe { packets::<F32x8, K, I, O>(strategy, inputs, outputs, count) }
+    unsafe { packets::<F32x8, K, I, O>(kernel, strategy, inputs, outputs, count) }
 }
 
 /// As [`run`], but whole packets are read and written, also where only some numbers of the last one count.
 #[inline(always)]
 unsafe fn packets<P: Packet, K: Kernel<I, O>, const I: usize, const O: usize>(
+    kernel: K,
     strategy: Strategy<f32>,
     inputs: &[*const f32; I],
     outputs: &[*mut f32; O],
@@ -215,7 +227,7 @@ unsafe fn packets<P: Packet, K: Kernel<I, O>, const I: usize, const O: usize>(
             // SAFETY: the caller's promise.
             packets[i] = unsafe { P::load(inputs[i].add(first)) };
         }
-        let (results, is_bad) = K::run(strategy, packets);
+        let (results, is_bad) = kernel.run(strategy, packets);
         for i in 0..O {
             if !outputs[i].is_null() {
                 // SAFETY: as above.
@@ -248,11 +260,12 @@ mod tests {
     }
 
     /// Every operation of a lane.
+    #[derive(Clone, Copy)]
     struct Operations;
 
     impl Kernel<3, 20> for Operations {
         #[inline(always)]
-        fn run<L: Lane>(strategy: Strategy<L>, [a, b, c]: [L; 3]) -> ([L; 20], L::Mask) {
+        fn run<L: Lane>(self, strategy: Strategy<L>, [a, b, c]: [L; 3]) -> ([L; 20], L::Mask) {
             let number = |mask: L::Mask| L::select(mask, a, strategy.defensive);
             let (less, at_most) = (a.lt(b), b.le(c));
             let results = [
@@ -310,7 +323,7 @@ mod tests {
         let results = |instructions| {
             let mut results = [(); 20].map(|()| vec![0.0_f32; a.len()]);
             let outputs = results.each_mut().map(|result| Some(&mut result[..]));
-            let less = run_slices::<Operations, 3, 20>(instructions, strategy, [&a, &b, &c], outputs);
+            let less = run_slices(Operations, instructions, strategy, [&a, &b, &c], outputs);
             assert_eq!(less, a.iter().zip(&b).filter(|(a, b)| a < b).count());
             results
         };

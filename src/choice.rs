@@ -1,0 +1,151 @@
+//! The choice of one light by importances: by the inverse of their distribution function, so that each light keeps one interval of
+//! the random number, and strata survive.
+//!
+//! Sums and intervals are in double precision: what rounding leaves to the last light does not grow with their number, and is about
+//! as much as a random number in single precision resolves.
+
+/// What is known of the importances of all lights at a point: enough for the probability of each.
+///
+/// ```
+/// use spherecap::lights::Total;
+///
+/// let importances = [3.0, 0.0, 1.0];
+/// let total = Total::of(&importances);
+/// assert_eq!(total, Total { sum: 4.0, lit: 2 });
+/// // By importance alone, or a fifth of it evenly.
+/// assert_eq!(importances.map(|importance| total.probability(importance, 0.0)), [0.75, 0.0, 0.25]);
+/// assert_eq!(importances.map(|importance| total.probability(importance, 0.2)), [0.7, 0.0, 0.3]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Total {
+    /// Sum of the importances.
+    pub sum: f32,
+    /// How many of them are positive.
+    pub lit: u32,
+}
+
+/// Which light, and what is left of the random number that chose it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Choice {
+    /// Its place in the arrays; 0 if nothing is lit.
+    pub index: usize,
+    /// The probability of this choice, the bits of [`Total::probability`]; 0 if nothing is lit.
+    pub probability: f32,
+    /// What is left of the random number: another, uniform in \[0, 1\], and independent of the choice.
+    pub rest: f32,
+}
+
+impl Total {
+    /// Adds up importances, at most 2^32 - 1 of them. What is negative or NaN counts as 0, and what is above 2^95 as that, here and
+    /// in the functions below: so no sum is infinite, and no probability wrong.
+    pub fn of(importances: &[f32]) -> Self {
+        // In an order that does not depend on the CPU, and that it can add several of at a time.
+        const LANES: usize = 16;
+        let (mut sums, mut counts) = ([0.0_f64; LANES], [0_u32; LANES]);
+        for chunk in importances.chunks(LANES) {
+            for ((sum, count), &importance) in sums.iter_mut().zip(&mut counts).zip(chunk) {
+                let weight = weight(importance);
+                *sum += f64::from(weight);
+                *count += u32::from(weight > 0.0);
+            }
+        }
+        let mut all = 0.0;
+        let mut lit = 0;
+        for (sum, count) in sums.iter().zip(counts) {
+            all += sum;
+            lit += count;
+        }
+        Self { sum: all as f32, lit }
+    }
+
+    /// Chooses a light in proportion to the importances that were added up, by one random number `u`. The fraction `even` of the
+    /// probability is spread evenly over all that are not 0, for where the bright lights are hidden. Of both, a number outside
+    /// \[0, 1\] is taken for the nearer end, and NaN for 0.
+    ///
+    /// ```
+    /// use spherecap::lights::{Choice, Total};
+    ///
+    /// let importances = [3.0, 0.0, 1.0];
+    /// let total = Total::of(&importances);
+    /// let choice = total.choose(&importances, 0.0, 0.875);
+    /// assert_eq!(choice, Choice { index: 2, probability: 0.25, rest: 0.5 });
+    /// ```
+    pub fn choose(&self, importances: &[f32], even: f32, u: f32) -> Choice {
+        let target = f64::from(fraction(u));
+        let shares = Shares::new(self, even);
+        let (mut index, mut own, mut start, mut end) = (0, 0.0, 0.0, 0.0);
+        for (i, &importance) in importances.iter().enumerate() {
+            let share = shares.of(importance);
+            if share > 0.0 {
+                (index, own, start) = (i, share, end);
+                end += share;
+                if target < end {
+                    break;
+                }
+            }
+        }
+        // The last one takes what rounding leaves.
+        let rest = if own > 0.0 { ((target - start) / own).min(1.0) } else { 0.0 };
+        Choice { index, probability: own as f32, rest: rest as f32 }
+    }
+
+    /// The probability with which [`Total::choose`] gives a light of this importance, the same bits: for the density of a direction
+    /// that something else has sampled, as multiple importance sampling asks for it.
+    pub fn probability(&self, importance: f32, even: f32) -> f32 {
+        Shares::new(self, even).of(importance) as f32
+    }
+}
+
+/// What a probability is made of: `scale` times the importance and the even part.
+struct Shares {
+    scale: f64,
+    even: f64,
+    is_only_one: bool,
+}
+
+impl Shares {
+    fn new(total: &Total, even: f32) -> Self {
+        let even = f64::from(fraction(even));
+        let (sum, lit) = (f64::from(total.sum), f64::from(total.lit));
+        let is_lit = sum > 0.0 && total.lit > 0;
+        let [scale, even] = if is_lit { [(1.0 - even) / sum, even / lit] } else { [0.0; 2] };
+        Self { scale, even, is_only_one: is_lit && total.lit == 1 }
+    }
+
+    fn of(&self, importance: f32) -> f64 {
+        let weight = f64::from(weight(importance));
+        if weight == 0.0 {
+            0.0
+        } else if self.is_only_one {
+            1.0 // not rounded: one light is as if there were no choice
+        } else {
+            weight * self.scale + self.even
+        }
+    }
+}
+
+/// What an importance counts as. 2^32 of the largest are no infinite sum.
+#[inline(always)]
+fn weight(importance: f32) -> f32 {
+    const LARGEST: f32 = (1_u128 << 95) as f32;
+    // Not by `max`, which may give either zero.
+    let positive = if importance > 0.0 { importance } else { 0.0 };
+    if positive < LARGEST {
+        positive
+    } else {
+        LARGEST
+    }
+}
+
+/// A number in [0, 1]: the nearer end, or 0 for NaN.
+#[inline(always)]
+fn fraction(x: f32) -> f32 {
+    let x = if x > 0.0 { x } else { 0.0 };
+    if x < 1.0 {
+        x
+    } else {
+        1.0
+    }
+}
