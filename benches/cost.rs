@@ -6,6 +6,7 @@
 
 mod calls;
 mod json;
+mod lights;
 mod published;
 mod report;
 mod scenes;
@@ -93,6 +94,10 @@ fn main() {
         let measured = unsafe { measure(set, &scenes, &numbers) };
         println!("{}", report::table(&measured, &TASKS));
         rows.extend(measured);
+        if set == "mix" {
+            // SAFETY: as above.
+            unsafe { lights::print(set, &scenes, &numbers) };
+        }
     }
     let rows = json::list(rows.iter().map(|Row { set, lane, method, task, nanoseconds, ratio }| {
         let [set, lane, method, task] = [set, &**lane, method, task].map(json::quoted);

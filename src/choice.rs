@@ -41,23 +41,20 @@ impl Total {
     /// Adds up importances, at most 2^32 - 1 of them. What is negative or NaN counts as 0, and what is above 2^95 as that, here and
     /// in the functions below: so no sum is infinite, and no probability wrong.
     pub fn of(importances: &[f32]) -> Self {
-        // In an order that does not depend on the CPU, and that it can add several of at a time.
-        const LANES: usize = 16;
-        let (mut sums, mut counts) = ([0.0_f64; LANES], [0_u32; LANES]);
-        for chunk in importances.chunks(LANES) {
-            for ((sum, count), &importance) in sums.iter_mut().zip(&mut counts).zip(chunk) {
-                let weight = weight(importance);
-                *sum += f64::from(weight);
-                *count += u32::from(weight > 0.0);
+        let mut sums = Sums::default();
+        let (chunks, rest) = importances.as_chunks();
+        for chunk in chunks {
+            sums.add(chunk);
+        }
+        let mut last = [0.0; LANES];
+        // One by one: to copy so few is a call that takes longer.
+        for (i, last) in last.iter_mut().enumerate() {
+            if i < rest.len() {
+                *last = rest[i];
             }
         }
-        let mut all = 0.0;
-        let mut lit = 0;
-        for (sum, count) in sums.iter().zip(counts) {
-            all += sum;
-            lit += count;
-        }
-        Self { sum: all as f32, lit }
+        sums.add(&last);
+        sums.total()
     }
 
     /// Chooses a light in proportion to the importances that were added up, by one random number `u`. The fraction `even` of the
@@ -95,6 +92,33 @@ impl Total {
     /// that something else has sampled, as multiple importance sampling asks for it.
     pub fn probability(&self, importance: f32, even: f32) -> f32 {
         Shares::new(self, even).of(importance) as f32
+    }
+}
+
+/// Sums side by side, of which a CPU can add several at a time: in an order that does not depend on how many.
+#[derive(Default)]
+struct Sums {
+    weights: [f64; LANES],
+    lit: [u32; LANES],
+}
+
+const LANES: usize = 8;
+
+impl Sums {
+    #[inline(always)]
+    fn add(&mut self, importances: &[f32; LANES]) {
+        for ((sum, lit), &importance) in self.weights.iter_mut().zip(&mut self.lit).zip(importances) {
+            let weight = weight(importance);
+            *sum += f64::from(weight);
+            *lit += u32::from(weight > 0.0);
+        }
+    }
+
+    #[inline(always)]
+    fn total(self) -> Total {
+        let [a, b, c, d, e, f, g, h] = self.weights;
+        let sum = ((a + b) + (c + d)) + ((e + f) + (g + h));
+        Total { sum: sum as f32, lit: self.lit.iter().sum() }
     }
 }
 

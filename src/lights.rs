@@ -94,7 +94,7 @@ impl Lights<'_> {
 /// [`Receiver::importance`] at one point: a light gives a number.
 #[derive(Clone, Copy)]
 pub(crate) struct LightsKernel {
-    unit: [f32; 3],
+    normal: [f32; 3],
     point: [f32; 3],
 }
 
@@ -103,7 +103,7 @@ impl LightsKernel {
     pub(crate) fn new(receiver: Receiver<f32>, point: [f32; 3]) -> Result<Self, Refusal> {
         match receiver_refusal(&receiver) {
             Some(refusal) => Err(refusal),
-            None => Ok(Self { unit: unit_or_zero(receiver.normal).into(), point }),
+            None => Ok(Self { normal: receiver.normal.into(), point }),
         }
     }
 }
@@ -111,7 +111,7 @@ impl LightsKernel {
 impl Kernel<5, 1> for LightsKernel {
     #[inline(always)]
     fn run<L: Lane>(self, strategy: Strategy<L>, [x, y, z, radius, strength]: [L; 5]) -> ([L; 1], L::Mask) {
-        let (unit, point) = (broadcast::<L>(self.unit), broadcast::<L>(self.point));
+        let (unit, point) = (unit_or_zero(broadcast::<L>(self.normal)), broadcast::<L>(self.point));
         let centre = Vec3::new(x - point.x, y - point.y, z - point.z);
         let (importance, _) = importance_and_distance(unit, strategy, centre, radius, strength);
         // A light that is none is no error.

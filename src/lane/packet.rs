@@ -23,13 +23,17 @@ pub(crate) trait Packet: Lane {
     /// How many numbers it holds.
     const WIDTH: usize;
 
+    /// The numbers at `from`, and zeros in the place of those beyond the first `count`.
+    ///
     /// # Safety
-    /// [`Packet::WIDTH`] numbers can be read at `from`, which may be aligned as one of them.
-    unsafe fn load(from: *const f32) -> Self;
+    /// `count` is 1 to [`Packet::WIDTH`], and so many numbers can be read at `from`, which may be aligned as one of them.
+    unsafe fn load(from: *const f32, count: usize) -> Self;
 
+    /// Stores the first `count`.
+    ///
     /// # Safety
-    /// [`Packet::WIDTH`] numbers can be written at `to`, which may be aligned as one of them.
-    unsafe fn store(self, to: *mut f32);
+    /// `count` is 1 to [`Packet::WIDTH`], and so many numbers can be written at `to`, which may be aligned as one of them.
+    unsafe fn store(self, to: *mut f32, count: usize);
 }
 
 /// The packet of one, for CPUs without an instruction set of their own here.
@@ -37,12 +41,12 @@ impl Packet for f32 {
     const WIDTH: usize = 1;
 
     #[inline(always)]
-    unsafe fn load(from: *const f32) -> Self {
+    unsafe fn load(from: *const f32, _: usize) -> Self {
         // SAFETY: the caller's promise.
         unsafe { *from }
     }
     #[inline(always)]
-    unsafe fn store(self, to: *mut f32) {
+    unsafe fn store(self, to: *mut f32, _: usize) {
         // SAFETY: the caller's promise.
         unsafe { *to = self }
     }
@@ -124,14 +128,14 @@ macro_rules! packet {
             const WIDTH: usize = $width;
 
             #[inline(always)]
-            unsafe fn load(from: *const f32) -> Self {
+            unsafe fn load(from: *const f32, count: usize) -> Self {
                 // SAFETY: the caller's promise, and the CPU has the instructions.
-                Self(unsafe { $load(from) })
+                Self(unsafe { $load(from, count) })
             }
             #[inline(always)]
-            unsafe fn store(self, to: *mut f32) {
+            unsafe fn store(self, to: *mut f32, count: usize) {
                 // SAFETY: the caller's promise, and the CPU has the instructions.
-                unsafe { $store(to, self.0) }
+                unsafe { $store(to, count, self.0) }
             }
         }
     };

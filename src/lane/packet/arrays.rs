@@ -126,61 +126,12 @@ pub(crate) unsafe fn run<K: Kernel<I, O>, const I: usize, const O: usize>(
     unsafe {
         match instructions {
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx512 => {
-                any_length::<{ F32x16::WIDTH }, K, I, O>(avx512, kernel, strategy, inputs, outputs, count)
-            }
+            Instructions::Avx512 => avx512(kernel, strategy, inputs, outputs, count),
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2 => {
-                any_length::<{ F32x8::WIDTH }, K, I, O>(avx2, kernel, strategy, inputs, outputs, count)
-            }
+            Instructions::Avx2 => avx2(kernel, strategy, inputs, outputs, count),
             _ => packets::<f32, K, I, O>(kernel, strategy, inputs, outputs, count),
         }
     }
-}
-
-/// A function that reads and writes whole packets.
-#[cfg(target_arch = "x86_64")]
-type Packets<K, const I: usize, const O: usize> =
-    unsafe fn(K, Strategy<f32>, &[*const f32; I], &[*mut f32; O], usize) -> usize;
-
-/// What remains after the last whole packet is copied to one that is filled up with zeros, and back.
-#[cfg(target_arch = "x86_64")]
-#[inline(always)]
-unsafe fn any_length<const WIDTH: usize, K: Kernel<I, O>, const I: usize, const O: usize>(
-    packets: Packets<K, I, O>,
-    kernel: K,
-    strategy: Strategy<f32>,
-    inputs: &[*const f32; I],
-    outputs: &[*mut f32; O],
-    count: usize,
-) -> usize {
-    let rest = count % WIDTH;
-    let whole = count - rest;
-    let mut bad = 0;
-    // SAFETY: the caller's promise; `rest` numbers fit into a packet.
-    unsafe {
-        if whole > 0 {
-            bad += packets(kernel, strategy, inputs, outputs, whole);
-        }
-        if rest > 0 {
-            let (mut filled, mut results) = ([[0.0_f32; WIDTH]; I], [[0.0_f32; WIDTH]; O]);
-            let (mut from, mut to) = ([core::ptr::null(); I], [core::ptr::null_mut(); O]);
-            for i in 0..I {
-                inputs[i].add(whole).copy_to_nonoverlapping(filled[i].as_mut_ptr(), rest);
-                from[i] = filled[i].as_ptr();
-            }
-            for i in 0..O {
-                to[i] = results[i].as_mut_ptr();
-            }
-            bad += packets(kernel, strategy, &from, &to, rest);
-            for i in 0..O {
-                if !outputs[i].is_null() {
-                    results[i].as_ptr().copy_to_nonoverlapping(outputs[i].add(whole), rest);
-                }
-            }
-        }
-    }
-    bad
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -209,7 +160,7 @@ unsafe fn avx2<K: Kernel<I, O>, const I: usize, const O: usize>(
     unsafe { packets::<F32x8, K, I, O>(kernel, strategy, inputs, outputs, count) }
 }
 
-/// As [`run`], but whole packets are read and written, also where only some numbers of the last one count.
+/// As [`run`]. What remains after the last whole packet is one with zeros in the place of what there is not.
 #[inline(always)]
 unsafe fn packets<P: Packet, K: Kernel<I, O>, const I: usize, const O: usize>(
     kernel: K,
@@ -222,25 +173,26 @@ unsafe fn packets<P: Packet, K: Kernel<I, O>, const I: usize, const O: usize>(
     let Strategy { technique, hemispheres, defensive } = strategy;
     let strategy = Strategy { technique, hemispheres, defensive: P::lit(f64::from(defensive)) };
     for first in (0..count).step_by(P::WIDTH) {
+        let filled = P::WIDTH.min(count - first);
         let mut packets = [P::lit(0.0); I];
         for i in 0..I {
             // SAFETY: the caller's promise.
-            packets[i] = unsafe { P::load(inputs[i].add(first)) };
+            packets[i] = unsafe { P::load(inputs[i].add(first), filled) };
         }
         let (results, is_bad) = kernel.run(strategy, packets);
         for i in 0..O {
             if !outputs[i].is_null() {
                 // SAFETY: as above.
-                unsafe { results[i].store(outputs[i].add(first)) };
+                unsafe { results[i].store(outputs[i].add(first), filled) };
             }
         }
         if is_bad.any() {
             const { assert!(P::WIDTH <= WIDEST) };
             let mut ones = [0.0_f32; WIDEST];
             // SAFETY: no packet is wider.
-            unsafe { P::select(is_bad, P::lit(1.0), P::lit(0.0)).store(ones.as_mut_ptr()) };
-            for one in &ones[..P::WIDTH.min(count - first)] {
-                bad += usize::from(*one > 0.0);
+            unsafe { P::select(is_bad, P::lit(1.0), P::lit(0.0)).store(ones.as_mut_ptr(), filled) };
+            for one in ones {
+                bad += usize::from(one > 0.0);
             }
         }
     }

@@ -5,12 +5,33 @@ use core::arch::x86_64::*;
 
 packet! {
     F32x16(__m512) of 16, Mask16(__mmask16),
-    load: _mm512_loadu_ps, store: _mm512_storeu_ps, set: _mm512_set1_ps,
+    load: load, store: store, set: _mm512_set1_ps,
     neg: neg, add: _mm512_add_ps, sub: _mm512_sub_ps, mul: _mm512_mul_ps, div: _mm512_div_ps,
     fma: _mm512_fmadd_ps, sqrt: _mm512_sqrt_ps, abs: _mm512_abs_ps, min: _mm512_min_ps, max: _mm512_max_ps,
     lt: lt, le: le, select: select,
     power_of_two: power_of_two, bits: bits, float_of_bits: float_of_bits,
     and: and, or: or, not: not, any: any, all: all,
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+unsafe fn load(from: *const f32, count: usize) -> __m512 {
+    // SAFETY: the caller's promise.
+    unsafe { _mm512_maskz_loadu_ps(first(count), from) }
+}
+
+#[inline]
+#[target_feature(enable = "avx512f")]
+unsafe fn store(to: *mut f32, count: usize, a: __m512) {
+    // SAFETY: the caller's promise.
+    unsafe { _mm512_mask_storeu_ps(to, first(count), a) }
+}
+
+/// The bits of the first `count` lanes.
+#[inline]
+#[target_feature(enable = "avx512f")]
+fn first(count: usize) -> __mmask16 {
+    ((1_u32 << count) - 1) as __mmask16
 }
 
 /// By integers: the operation on numbers is AVX-512DQ's.
