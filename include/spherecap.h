@@ -450,9 +450,9 @@ uint32_t spherecap_batch_measures(const struct spherecap_batch_t *batch,
                                   const struct spherecap_batch_measures_t *measures,
                                   size_t *refused);
 
-// The importance of a light at each point, to choose among several by; see `spherecap_importances`. `strength` has the light's
-// radiance, in any unit, one for each point. Zero where `spherecap_prepare` would fail, and nowhere else where the strength is
-// positive (but for single roundings: a light that has just set, or that touches the point, may have one).
+// The importance of a light at each point, to choose among several by: what `spherecap_importances` stores for the light alone, to
+// the bit. `strength` has the light's radiance, in any unit, one number for each point. Zero also where `spherecap_prepare` finds
+// bad input.
 //
 // `refused` and errors: as of `spherecap_batch_sample`. A strength that is negative or not finite is bad input, too.
 uint32_t spherecap_batch_importances(const struct spherecap_batch_t *batch,
@@ -461,7 +461,7 @@ uint32_t spherecap_batch_importances(const struct spherecap_batch_t *batch,
                                      size_t *refused);
 
 // How much each light can give to a point (three floats), so that one can be chosen by it: about its unoccluded irradiance over pi,
-// `strength * E / pi` with the projected solid angle E, and equal to that (to an epsilon of the distance) where all of it is above
+// `strength * E / pi` with the projected solid angle E, and equal to that (to 2^-21 of the distance) where all of it is above
 // the horizon.
 //
 // It is what the receiver samples that counts. Both hemispheres: the irradiances of both sides. A defensive fraction: that of

@@ -23,8 +23,8 @@ use crate::vec3::Vec3;
 /// them, `h + r` is exact where the light has all but set, and its product with 1/d is not rounded before the margin is added.
 const MARGIN: f64 = 2.0;
 
-/// Of `1 - s^4`, likewise: the roundings of `d^2` (three), of the root, the reciprocal and the products are half an epsilon each,
-/// and `s^4` has some of them four times: 9 epsilons at most.
+/// Of `1 - s^4`, likewise: half an epsilon for each of three roundings of `d^2`, halved by the root, and for root, reciprocal and product
+/// make 9/4 epsilons for `s`, and 10 for its fourth power with that of the square.
 const MARGIN_OF_FOURTH_POWER: f64 = 16.0;
 
 impl<L: Lane> Receiver<L> {

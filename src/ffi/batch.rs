@@ -223,9 +223,9 @@ pub unsafe extern "C" fn spherecap_batch_measures(
     unsafe { batch.run(MeasuresKernel, batch.points(), outputs, refused) }
 }
 
-/// The importance of a light at each point, to choose among several by; see `spherecap_importances`. `strength` has the light's
-/// radiance, in any unit, one for each point. Zero where `spherecap_prepare` would fail, and nowhere else where the strength is
-/// positive (but for single roundings: a light that has just set, or that touches the point, may have one).
+/// The importance of a light at each point, to choose among several by: what `spherecap_importances` stores for the light alone, to
+/// the bit. `strength` has the light's radiance, in any unit, one number for each point. Zero also where `spherecap_prepare` finds
+/// bad input.
 ///
 /// `refused` and errors: as of `spherecap_batch_sample`. A strength that is negative or not finite is bad input, too.
 #[no_mangle]

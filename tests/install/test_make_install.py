@@ -205,7 +205,7 @@ def blocks(page: Path, language: str) -> list[str]:
 def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
     """Its programs, in both languages, by its lines for pkg-config, and its list of what is installed."""
     page = REPOSITORY / "docs/c.md"
-    single, batch = blocks(page, "c")
+    single, several, batch = blocks(page, "c")
     _, compile_lines = blocks(page, "sh")
 
     def printed_by(program: str, compile_line: str) -> list[str]:
@@ -224,6 +224,12 @@ def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
         reflected = printed_by(single, line)
         assert len(reflected) == 4
         assert len(set(reflected)) == 1, "no noise"
+        *choices, probability, _, irradiance = printed_by(several, line)
+        lights, estimates = choices[::2], [float(word) for word in choices[1::2]]
+        assert lights == sorted(lights), "one interval for each"
+        assert set(lights) == {"0", "1", "2"}
+        assert estimates == pytest.approx([float(irradiance)] * 8, rel=0.05)
+        assert abs(lights.count("1") / 8 - float(probability)) < 1 / 8
         words = printed_by(batch, line)
         by_distance = dict(zip(words[::2], words[1::2], strict=True))
         assert by_distance["3.0"] == reflected[0], "the point of the other program"
