@@ -123,10 +123,11 @@ impl Sums {
 }
 
 /// What a probability is made of: `scale` times the importance and the even part.
+///
+/// One light has 1 to double precision, and so 1 exactly in single.
 struct Shares {
     scale: f64,
     even: f64,
-    is_only_one: bool,
 }
 
 impl Shares {
@@ -135,15 +136,13 @@ impl Shares {
         let (sum, lit) = (f64::from(total.sum), f64::from(total.lit));
         let is_lit = sum > 0.0 && total.lit > 0;
         let [scale, even] = if is_lit { [(1.0 - even) / sum, even / lit] } else { [0.0; 2] };
-        Self { scale, even, is_only_one: is_lit && total.lit == 1 }
+        Self { scale, even }
     }
 
     fn of(&self, importance: f32) -> f64 {
         let weight = f64::from(weight(importance));
         if weight == 0.0 {
             0.0
-        } else if self.is_only_one {
-            1.0 // not rounded: one light is as if there were no choice
         } else {
             weight * self.scale + self.even
         }

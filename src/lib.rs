@@ -25,7 +25,7 @@
 //!
 //! The kernels are written once, generic over a [`Lane`]: `f32` and `f64`; whatever else has its operations (a packet of
 //! numbers, a node of an expression graph) runs the same code. [`Sampler::prepare`] is the checked way in for scalars,
-//! [`batch`] the one for arrays of points; [`Cap::new`] and [`Sampler::new`] are total functions of any lane. The C ABI is
+//! [`batch`] the one for arrays of points; [`lights`] chooses among several lights; [`Cap::new`] and [`Sampler::new`] are total functions of any lane. The C ABI is
 //! `include/spherecap.h`.
 //!
 //! # Features and dependencies

@@ -2,8 +2,9 @@
 
 mod common;
 
-use common::Random;
-use spherecap::lights::{Choice, Total};
+use common::{strategies, Random};
+use spherecap::lights::{Choice, Lights, Total};
+use spherecap::{Cap, Hemispheres, Receiver, Sampler, Vec3};
 
 const EVEN: [f32; 5] = [0.0, 0.02, 0.05, 0.5, 1.0];
 
@@ -199,5 +200,62 @@ fn no_importance_makes_a_probability_wrong() {
     for (even, expected) in [(f32::NAN, 0.75), (-2.0, 0.75), (2.0, 0.5)] {
         assert_eq!(total.probability(3.0, even), expected);
         assert_eq!(total.choose(&[3.0, 1.0], even, 0.0).probability, expected);
+    }
+}
+
+/// Lights above, cut, below, around the point, too strong to be true and none at all: samples of one at a time average to the
+/// irradiance of all, by every strategy, whose samples reach both sides or one.
+#[test]
+fn samples_of_one_light_at_a_time_add_up_to_what_all_give() {
+    let mut random = Random(27);
+    const COUNT: usize = 24;
+    let mut array = |low, high| (0..COUNT).map(|_| random.within(low, high) as f32).collect::<Vec<f32>>();
+    let [x, y, z] = [array(-4.0, 4.0), array(-4.0, 4.0), array(-1.5, 3.0)];
+    let (mut radius, mut strength) = (array(0.1, 1.2), array(0.0, 10.0));
+    (radius[3], radius[4], strength[5], strength[6], strength[7]) =
+        (f32::NAN, 50.0, 0.0, f32::INFINITY, -3.0);
+    let lights = Lights { centre: Vec3::new(&x[..], &y, &z), radius: &radius, strength: &strength };
+    let normal = Vec3::new(0.0, 0.0, 1.0);
+    for strategy in strategies::<f32>() {
+        let is_both = strategy.hemispheres == Hemispheres::Both;
+        let receiver = Receiver { normal, strategy };
+        for point in [[0.0, 0.0, 0.0], [2.0, -1.0, 0.1]] {
+            let mut importances = [0.0; COUNT];
+            let total = lights.importances(receiver, point, &mut importances).expect("a good receiver");
+            let centre = |i: usize| [x[i] - point[0], y[i] - point[1], z[i] - point[2]];
+            let exact: f64 = (0..COUNT)
+                .filter(|&i| strength[i] > 0.0 && strength[i].is_finite())
+                .map(|i| {
+                    let of = |normal: [f64; 3]| {
+                        let cap = Cap::new(normal, centre(i).map(f64::from), f64::from(radius[i]));
+                        cap.projected_solid_angle()
+                    };
+                    let below = if is_both { of([0.0, 0.0, -1.0]) } else { 0.0 };
+                    f64::from(strength[i]) * (of([0.0, 0.0, 1.0]) + below)
+                })
+                .sum();
+            const TRIALS: usize = 1_200_000;
+            let (mut sum, mut square) = (0.0, 0.0);
+            for _ in 0..TRIALS {
+                let Choice { index: i, probability, rest } =
+                    total.choose(&importances, 0.05, random.unit() as f32);
+                // A light that has set by a rounding may be chosen, and gives nothing.
+                let Ok(sampler) = Sampler::prepare(receiver, centre(i), radius[i]) else { continue };
+                let sample = sampler.sample(rest, random.unit() as f32);
+                let cosine = sample.offset.cosine;
+                let cosine = if is_both { cosine.abs() } else { cosine.max(0.0) };
+                let weight =
+                    f64::from(strength[i] * cosine) / f64::from(probability * sample.density.solid_angle);
+                (sum, square) = (sum + weight, square + weight * weight);
+            }
+            let mean = sum / TRIALS as f64;
+            let deviation = ((square / TRIALS as f64 - mean * mean) / TRIALS as f64).sqrt();
+            assert!(
+                (mean - exact).abs() < 4.0 * deviation,
+                "{strategy:?} {point:?}: {mean}, not {exact}, to {deviation}"
+            );
+            // One per cent would be noticed.
+            assert!(4.0 * deviation < 0.01 * exact, "{strategy:?} {point:?}: {mean} to {deviation}");
+        }
     }
 }

@@ -17,9 +17,23 @@ const ROUNDING: f64 = 1e-6;
 /// What is added to the elevation's sine so that rounding hides nothing.
 const MARGIN: f64 = 2.0 * f32::EPSILON as f64;
 
+/// A sphere that all but touches the point, of which any part is above the horizon, often next to nothing.
+fn touching(random: &mut Random) -> Scene {
+    let centre = random.direction().map(|x| f64::from((x * random.within(0.5, 2.0)) as f32));
+    let d = dot(centre, centre).sqrt();
+    let nearest = d as f32;
+    let radius = if f64::from(nearest) < d { nearest } else { nearest.next_down() };
+    let tilt = f64::from(-((random.bits() % 24) as i32)).exp2();
+    let across = random.direction();
+    let normal: [f64; 3] = std::array::from_fn(|i| tilt * across[i] - centre[i] / d);
+    let length = dot(normal, normal).sqrt();
+    Scene { normal: normal.map(|x| f64::from((x / length) as f32)), centre, radius: f64::from(radius) }
+}
+
 /// Caps near everything that goes wrong, at distances from 2^-80 to 2^120.
 fn any_scene(i: usize, fixed: &[Scene], random: &mut Random) -> Scene {
-    let Scene { normal, centre, radius } = match i % 10 {
+    let Scene { normal, centre, radius } = match i % 11 {
+        10 => touching(random),
         0 => fixed[random.bits() as usize % fixed.len()],
         1 => nearly_set((random.bits() % OCTAVES as u64) as i32, random),
         stratum => scene(stratum - 2, random),
@@ -208,7 +222,7 @@ fn arrays(count: usize, random: &mut Random) -> [Vec<f32>; 5] {
     let mut arrays = [(); 5].map(|()| Vec::new());
     let bad = [f32::NAN, f32::INFINITY, -1.0, 0.0, f32::MAX, 1e-45];
     for i in 0..count {
-        let Scene { centre, radius, .. } = any_scene(random.bits() as usize % 10, &fixed, random);
+        let Scene { centre, radius, .. } = any_scene(random.bits() as usize % 11, &fixed, random);
         let mut numbers =
             [centre[0], centre[1], centre[2], radius, random.within(0.0, 9.0)].map(|x| x as f32);
         if i % 7 == 3 {
