@@ -13,8 +13,10 @@
 #include <spherecap.h>
 
 #include "gradients.h"
+#include "lights.h"
 #include "recorder.h"
 #include "sphere.h"
+#include "strategy.h"
 #include "surfaces.h"
 
 // Mitsuba passes Dr.Jit arrays to plugins by value, and the compiler's flags decide their layout: with wrong
@@ -71,6 +73,15 @@ Sphere light sampled by projected solid angle (:monosp:`spherecap`)
      0 if no mesh of the scene has interpolated normals and no BSDF perturbs them, else 1/8. Until the
      emitter is part of a scene: 1/8)
 
+ * - lights
+   - |string|
+   - How a light is chosen where a scene has several. (Default: :monosp:`all`)
+
+     - :monosp:`all`: all :monosp:`spherecap` emitters of the scene with the same technique, hemispheres and
+       defensive fraction choose among themselves at each point, by what each gives to it without occlusion,
+       times its :monosp:`sampling_weight`.
+     - :monosp:`one`: by the :monosp:`sampling_weight` alone, as Mitsuba does.
+
 This plugin is a drop-in replacement for the :ref:`area <emitter-area>` emitter on a :ref:`sphere
 <shape-sphere>`. It emits the same light, and renders converge to the same image; only the samples are chosen
 better, most visibly on diffuse surfaces and near large lights. Like :monosp:`area` it emits diffusely,
@@ -121,16 +132,17 @@ static const Properties &supported(const Properties &props) {
 }
 
 /// A C enumeration under the names that a scene uses for it.
-struct Choice {
+struct NamedValue {
     const char *name;
     uint32_t value;
 };
 
 template <size_t N>
-static const Choice &choose(const Properties &props, const char *parameter, const Choice (&choices)[N]) {
+static const NamedValue &choose(const Properties &props, const char *parameter,
+                                const NamedValue (&choices)[N]) {
     const std::string name = props.get<std::string>(parameter, choices[0].name);
     std::string list;
-    for (const Choice &choice : choices) {
+    for (const NamedValue &choice : choices) {
         if (name == choice.name)
             return choice;
         list += std::string(list.empty() ? "\"" : ", \"") + choice.name + "\"";
@@ -139,17 +151,19 @@ static const Choice &choose(const Properties &props, const char *parameter, cons
 }
 
 // The first of each list is the default.
-static constexpr Choice Techniques[] = {
+static constexpr NamedValue Techniques[] = {
     {"projected", SPHERECAP_TECHNIQUE_PROJECTED},
     {"projected_bounded", SPHERECAP_TECHNIQUE_PROJECTED_BOUNDED},
     {"solid_angle", SPHERECAP_TECHNIQUE_SOLID_ANGLE},
 };
 static constexpr uint32_t HemispheresAuto = uint32_t(-1);
-static constexpr Choice Hemispheres[] = {
+static constexpr NamedValue Hemispheres[] = {
     {"auto", HemispheresAuto},
     {"front", SPHERECAP_HEMISPHERES_FRONT},
     {"both", SPHERECAP_HEMISPHERES_BOTH},
 };
+static constexpr uint32_t LightsAll = 1;
+static constexpr NamedValue LightsChoices[] = {{"all", LightsAll}, {"one", 0}};
 /// The defensive fraction of scenes with shading normals. Relative RMSE of scenes/smooth_mesh.xml, 64 x 48
 /// pixels, 16 samples, light sampling alone: 0.066 at 0, 0.062 at 1/8, 0.060 at 1/4, 0.066 at 1/2 (`area`:
 /// 0.093); in the worst pixel 0.76, 0.41, 0.39, 0.36 (`area`: 0.42). The smallest that is nowhere worse than
@@ -159,9 +173,10 @@ static constexpr float DefensiveFraction = 0.125f;
 template <typename Float, typename Spectrum>
 class SphereCap final : public Emitter<Float, Spectrum> {
 public:
-    MI_IMPORT_BASE(Emitter, m_flags, m_shape, m_medium)
+    MI_IMPORT_BASE(Emitter, m_flags, m_shape, m_medium, m_sampling_weight)
     MI_IMPORT_TYPES(Scene, Shape, Texture)
     using Sphere = mitsuba::Sphere<Float>;
+    using Lights = mitsuba::Lights<Float, Spectrum>;
 
     SphereCap(const Properties &props) : Base(supported(props)) {
         if (props.has_property("to_world"))
@@ -176,6 +191,7 @@ public:
 
         m_technique = choose(props, "technique", Techniques);
         m_hemispheres = choose(props, "hemispheres", Hemispheres);
+        m_joins = choose(props, "lights", LightsChoices).value == LightsAll;
         m_defensive_auto = !props.has_property("defensive");
         m_defensive = props.get<ScalarFloat>("defensive", DefensiveFraction);
         if (!(m_defensive >= 0.f && m_defensive <= 1.f))
@@ -187,6 +203,8 @@ public:
         m_flags = +EmitterFlags::Surface;
     }
 
+    ~SphereCap() override { leave(); }
+
     void traverse(TraversalCallback *callback) override {
         Base::traverse(callback);
         callback->put("radiance", m_radiance, ParamFlags::Differentiable);
@@ -197,6 +215,11 @@ public:
         if (m_shape && (keys.empty() || string::contains(keys, "parent")))
             m_sphere = Sphere::of(m_shape);
         Base::parameters_changed(keys);
+        if (is_grouped()) {
+            tell();
+            if (keys.empty() || string::contains(keys, "sampling_weight"))
+                weigh(m_colleagues);
+        }
     }
 
     void set_shape(Shape *shape) override {
@@ -208,6 +231,8 @@ public:
         // An emitter that is part of several scenes must satisfy all of them.
         m_demands.look_at(scene);
         m_in_scene = true;
+        if (m_joins)
+            join(scene);
     }
 
     Spectrum eval(const SurfaceInteraction3f &si, Mask active) const override {
@@ -237,30 +262,61 @@ public:
         if (!attached())
             return {dr::zeros<DirectionSample3f>(), 0.f};
 
-        DirectionSample3f ds = sample_cap(it, sample, active && !is_own(it));
-        if constexpr (dr::is_diff_v<Float>) {
-            if (dr::grad_enabled(it.p, m_sphere))
-                Following<Float>::attach(m_sphere, it.p, ds.d, ds.dist, ds.p, ds.n, ds.pdf);
+        // Which light, how much of the density is the choice's, and the random numbers for the direction
+        Sphere sphere = m_sphere;
+        Float chosen = 1.f;
+        UInt32 index = m_index;
+        Point2f u = sample;
+        const bool is_grouped = this->is_grouped();
+        if (is_grouped) {
+            // Mitsuba has stretched the number to choose this light: what it was before is one for all.
+            const typename Lights::Choice choice =
+                m_lights->choose(strategy(), dr::detach(it.p), dr::detach(it.n),
+                                 dr::fmadd(m_share, dr::detach(sample.x()), m_before), active);
+            active &= choice.probability > 0.f;
+            index = choice.index;
+            sphere = m_lights->sphere(index, active);
+            chosen = choice.probability / m_share;
+            u.x() = choice.rest;
         }
+
+        DirectionSample3f ds = sample_cap(sphere, it, u, active && !is_own(sphere, it));
+        if constexpr (dr::is_diff_v<Float>) {
+            if (dr::grad_enabled(it.p, sphere))
+                Following<Float>::attach(sphere, it.p, ds.d, ds.dist, ds.p, ds.n, ds.pdf);
+        }
+        ds.pdf *= chosen;
         ds.time = it.time;
         ds.emitter = this;
         active &= ds.pdf != 0.f;
-
-        SurfaceInteraction3f si(ds, it.wavelengths);
-        UnpolarizedSpectrum weight = m_radiance->eval(si, active) / ds.pdf;
-        return {ds, depolarizer<Spectrum>(weight) & active};
+        if (!is_grouped) {
+            SurfaceInteraction3f si(ds, it.wavelengths);
+            UnpolarizedSpectrum weight = m_radiance->eval(si, active) / ds.pdf;
+            return {ds, depolarizer<Spectrum>(weight) & active};
+        }
+        ds.emitter = m_lights->emitter(index, active);
+        if constexpr (Lights::HasRadiance)
+            return {ds, depolarizer<Spectrum>(m_lights->radiance(index, active) / ds.pdf) & active};
+        else if (dr::none_or<false>(active))
+            return {dr::zeros<DirectionSample3f>(), 0.f};
+        else
+            return {ds, (ds.emitter->eval_direction(it, ds, active) / ds.pdf) & active};
     }
 
     Float pdf_direction(const Interaction3f &it, const DirectionSample3f &ds, Mask active) const override {
         MI_MASKED_FUNCTION(ProfilerPhase::EndpointEvaluate, active);
         if (!attached())
             return 0.f;
-        active &= dr::dot(ds.d, ds.n) < 0.f && !is_own(it);
+        active &= dr::dot(ds.d, ds.n) < 0.f && !is_own(m_sphere, it);
         Float pdf = dr::select(active, pdf_cap(it, ds.d, active), 0.f);
         if constexpr (dr::is_diff_v<Float>) {
             if (dr::grad_enabled(it.p, ds.d, m_sphere))
                 pdf = Following<Float>::attached_pdf(m_sphere, it.p, it.n, ds.d, pdf, uniform());
         }
+        if (is_grouped())
+            pdf *= m_lights->probability(strategy(), dr::detach(it.p), dr::detach(it.n), m_index,
+                                         active && pdf != 0.f) /
+                   m_share;
         return pdf;
     }
 
@@ -297,6 +353,7 @@ public:
             << "  hemispheres = " << (hemispheres() == SPHERECAP_HEMISPHERES_BOTH ? "both" : "front")
             << (m_hemispheres.value == HemispheresAuto ? " (auto)" : "") << "," << std::endl
             << "  defensive = " << defensive() << (m_defensive_auto ? " (auto)" : "") << "," << std::endl
+            << "  lights = " << (m_joins ? "all" : "one") << "," << std::endl
             << "  sphere = ";
         if (m_shape) // which may be gone by now: print what was taken over from it
             out << "[center = " << m_sphere.center << ", radius = " << m_sphere.radius << "]";
@@ -332,11 +389,13 @@ private:
         return m_defensive_auto && m_in_scene && !m_demands.shading_normals() ? 0.f : m_defensive;
     }
 
-    /// Is this a point of the light's own surface that might be lit from below?
-    Mask is_own(const Interaction3f &it) const {
+    Strategy strategy() const { return {m_technique.value, hemispheres(), defensive()}; }
+
+    /// Is this a point of a light's own surface that might be lit from below?
+    Mask is_own(const Sphere &sphere, const Interaction3f &it) const {
         if (hemispheres() == SPHERECAP_HEMISPHERES_FRONT && uniform() == 0.f)
             return false;
-        return m_sphere.has(it.p, it.n, it.t);
+        return sphere.has(it.p, it.n, it.t);
     }
 
     /// The probability of a direction that is uniform in solid angle.
@@ -347,21 +406,24 @@ private:
     // The functions below are all that differs between the executions of the library's kernel.
 
     /// A direction towards the light, with the point that it meets first; a pdf of zero where there is none.
-    DirectionSample3f sample_cap(const Interaction3f &it, const Point2f &sample, Mask active) const {
+    DirectionSample3f sample_cap(const Sphere &sphere, const Interaction3f &it, const Point2f &sample,
+                                 Mask active) const {
         DirectionSample3f ds = dr::zeros<DirectionSample3f>();
         if constexpr (dr::is_jit_v<Float>) {
+            const Strategy strategy = this->strategy();
             // Several paths are traced at once: where none of them needs a sample any more, the kernel is
             // skipped.
             using Drawn = dr::tuple<Normal3f, Vector3f, Float, Float>;
-            const auto inputs =
-                dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p), dr::detach(sample));
+            const auto inputs = dr::make_tuple(dr::detach(it.n), dr::detach(sphere.center - it.p),
+                                               dr::detach(sphere.radius), dr::detach(sample));
             const Drawn drawn = dr::if_stmt(
                 inputs, Recorder<Float>::condition(active, dr::width(inputs)),
-                [this](const Normal3f &normal, const Vector3f &centre, const Point2f &sample) {
+                [strategy](const Normal3f &normal, const Vector3f &centre, const Float &radius,
+                           const Point2f &sample) {
                     using Recorder = mitsuba::Recorder<Float>;
                     const spherecap_term_t u[2] = {Recorder::term(sample.x()), Recorder::term(sample.y())};
-                    const spherecap_recorded_sample_t drawn =
-                        Recorder().record(spherecap_record_sample, recorded(normal, centre), u);
+                    const spherecap_recorded_sample_t drawn = Recorder().record(
+                        spherecap_record_sample, strategy.recorded(normal, centre, radius), u);
                     Recorder::mask(drawn.is_sampled); // Else the density is zero.
                     for (uint64_t unused : {drawn.cosine, drawn.density.projected_solid_angle})
                         Recorder::number(unused);
@@ -369,7 +431,9 @@ private:
                                  Recorder::number(drawn.distance),
                                  Recorder::number(drawn.density.solid_angle));
                 },
-                [](const Normal3f &, const Vector3f &, const Point2f &) { return Drawn(0.f, 0.f, 0.f, 0.f); },
+                [](const Normal3f &, const Vector3f &, const Float &, const Point2f &) {
+                    return Drawn(0.f, 0.f, 0.f, 0.f);
+                },
                 "spherecap sample");
             ds.n = dr::get<0>(drawn);
             ds.d = dr::get<1>(drawn);
@@ -378,7 +442,7 @@ private:
         } else {
             spherecap_sampler_t sampler;
             spherecap_sample_t drawn;
-            if (!active || !prepare(it, sampler) ||
+            if (!active || !prepare(sphere, it, sampler) ||
                 spherecap_sample(&sampler, sample.x(), sample.y(), &drawn) != SPHERECAP_STATUS_OK)
                 return ds;
             ds.n = Normal3f(drawn.normal[0], drawn.normal[1], drawn.normal[2]);
@@ -386,73 +450,152 @@ private:
             ds.dist = drawn.distance;
             ds.pdf = drawn.density.solid_angle;
         }
-        ds.p = m_sphere.point(ds.n);
+        ds.p = sphere.point(ds.n);
         return ds;
     }
 
     /// The density with which `sample_cap` chooses a direction that is known to meet the sphere.
     Float pdf_cap(const Interaction3f &it, const Vector3f &direction, Mask active) const {
         if constexpr (dr::is_jit_v<Float>) {
+            const Strategy strategy = this->strategy();
             // Likewise: few rays meet the light by chance.
-            const auto inputs =
-                dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p), dr::detach(direction));
+            const auto inputs = dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p),
+                                               dr::detach(m_sphere.radius), dr::detach(direction));
             return dr::if_stmt(
                 inputs, Recorder<Float>::condition(active, dr::width(inputs)),
-                [this](const Normal3f &normal, const Vector3f &centre, const Vector3f &direction) {
+                [strategy](const Normal3f &normal, const Vector3f &centre, const Float &radius,
+                           const Vector3f &direction) {
                     using Recorder = mitsuba::Recorder<Float>;
                     spherecap_term_t d[3];
                     Recorder::terms(direction, d);
-                    const spherecap_recorded_density_t density =
-                        Recorder().record(spherecap_record_pdf_on_sphere, recorded(normal, centre), d);
+                    const spherecap_recorded_density_t density = Recorder().record(
+                        spherecap_record_pdf_on_sphere, strategy.recorded(normal, centre, radius), d);
                     Recorder::number(density.projected_solid_angle);
                     return Recorder::number(density.solid_angle);
                 },
-                [](const Normal3f &, const Vector3f &, const Vector3f &) { return Float(0.f); },
+                [](const Normal3f &, const Vector3f &, const Float &, const Vector3f &) {
+                    return Float(0.f);
+                },
                 "spherecap pdf");
         } else {
             spherecap_sampler_t sampler;
             spherecap_density_t density;
             const float d[3] = {direction.x(), direction.y(), direction.z()};
-            if (!active || !prepare(it, sampler) ||
+            if (!active || !prepare(m_sphere, it, sampler) ||
                 spherecap_pdf_on_sphere(&sampler, d, &density) != SPHERECAP_STATUS_OK)
                 return 0.f;
             return density.solid_angle;
         }
     }
 
-    /// The part of the light that a point sees; false if that is none.
-    bool prepare(const Interaction3f &it, spherecap_sampler_t &sampler) const {
-        const Vector3f c = m_sphere.center - it.p;
-        const spherecap_receiver_t receiver{
-            {it.n.x(), it.n.y(), it.n.z()}, m_technique.value, hemispheres(), defensive()};
+    /// The part of a light that a point sees; false if that is none.
+    bool prepare(const Sphere &sphere, const Interaction3f &it, spherecap_sampler_t &sampler) const {
+        const Vector3f c = sphere.center - it.p;
+        const spherecap_receiver_t receiver = strategy().receiver(it.n);
         const float center[3] = {c.x(), c.y(), c.z()};
-        return spherecap_prepare(&receiver, center, m_sphere.radius, &sampler) == SPHERECAP_STATUS_OK;
+        return spherecap_prepare(&receiver, center, sphere.radius, &sampler) == SPHERECAP_STATUS_OK;
     }
 
-    /// The same for the recorded kernel. The centre is the light's, seen from the point.
-    spherecap_recorded_input_t recorded(const Normal3f &normal, const Vector3f &centre) const {
-        using Recorder = mitsuba::Recorder<Float>;
-        spherecap_recorded_input_t input;
-        input.technique = m_technique.value;
-        input.hemispheres = hemispheres();
-        input.defensive = Recorder::term(defensive());
-        Recorder::terms(normal, input.normal);
-        Recorder::terms(centre, input.centre);
-        input.radius = Recorder::term(m_sphere.radius);
-        return input;
+    // The lights that choose among themselves.
+
+    bool is_grouped() const { return m_lights && m_lights->is_complete(); }
+
+    /// The first light of a scene makes the group of those that sample as it does.
+    void join(const Scene *scene) {
+        if (m_scene && m_scene != scene) {
+            // It cannot know which of its scenes asks.
+            leave();
+            m_joins = false;
+            return;
+        }
+        m_scene = scene;
+        std::vector<SphereCap *> members;
+        for (const auto &emitter : scene->emitters())
+            if (auto *other = dynamic_cast<SphereCap *>(const_cast<Base *>(emitter.get())))
+                if (other->samples_as(*this))
+                    members.push_back(other);
+        if (members.size() < 2 || members.front() != this)
+            return;
+        for (const SphereCap *member : members)
+            if (member->m_scene && member->m_scene != scene)
+                return;
+        const ref<Lights> lights = new Lights({members.begin(), members.end()});
+        for (size_t i = 0; i < members.size(); ++i) {
+            members[i]->leave();
+            members[i]->m_lights = lights;
+            members[i]->m_place = i;
+            members[i]->m_index = dr::opaque<UInt32>(uint32_t(i));
+            members[i]->m_colleagues = members;
+            members[i]->tell();
+        }
+        weigh(members);
+    }
+
+    bool samples_as(const SphereCap &other) const {
+        return m_joins && other.m_joins && m_technique.value == other.m_technique.value &&
+               m_hemispheres.value == other.m_hemispheres.value && m_defensive == other.m_defensive &&
+               m_defensive_auto == other.m_defensive_auto;
+    }
+
+    void leave() {
+        if (m_lights)
+            m_lights->dissolve();
+    }
+
+    /// Tells the group what this light is now.
+    void tell() {
+        SurfaceInteraction3f si = dr::zeros<SurfaceInteraction3f>();
+        if constexpr (is_spectral_v<Spectrum>)
+            si.wavelengths = Wavelength(450.f, 520.f, 590.f, 640.f);
+        const UnpolarizedSpectrum radiance = m_radiance->eval(si, true);
+        const UnpolarizedSpectrum size = dr::abs(dr::detach(radiance));
+        Float strength;
+        if constexpr (is_rgb_v<Spectrum>)
+            strength = luminance(size);
+        else
+            strength = dr::mean(size);
+        strength *= m_sampling_weight;
+        if constexpr (dr::is_diff_v<Float>) {
+            // A light that is optimised must be sampled while it is black, too.
+            if (dr::grad_enabled(radiance) && m_sampling_weight > 0.f)
+                strength = dr::maximum(strength, 1e-20f);
+        }
+        m_lights->update(m_place, m_index, m_sphere, radiance, strength);
+    }
+
+    /// Shares out Mitsuba's random number among all members, by the weights that it chooses them with.
+    static void weigh(const std::vector<SphereCap *> &members) {
+        ScalarFloat sum = 0.f, before = 0.f;
+        for (const SphereCap *member : members)
+            sum += member->m_sampling_weight;
+        for (SphereCap *member : members) {
+            member->m_share = dr::opaque<Float>(member->m_sampling_weight / sum);
+            member->m_before = dr::opaque<Float>(before / sum);
+            before += member->m_sampling_weight;
+        }
     }
 
     ref<Texture> m_radiance;
     Sphere m_sphere;
 
-    Choice m_technique, m_hemispheres;
+    NamedValue m_technique, m_hemispheres;
     ScalarFloat m_defensive;
     bool m_defensive_auto;
 
     bool m_in_scene = false;
     SurfaceDemands<Float, Spectrum> m_demands;
 
-    MI_TRAVERSE_CB(Base, m_radiance, m_sphere)
+    bool m_joins;
+    const Scene *m_scene = nullptr;
+    ref<Lights> m_lights;
+    std::vector<SphereCap *> m_colleagues;
+    size_t m_place = 0;
+    /// The place, where kernels are compiled in memory
+    UInt32 m_index = 0;
+    /// The part of the group's random numbers for which Mitsuba asks this light, and where it begins
+    Float m_share = 1.f, m_before = 0.f;
+
+    MI_TRAVERSE_CB(Base, m_radiance, m_sphere, m_lights, m_index, m_share, m_before)
 };
 
 MI_EXPORT_PLUGIN(SphereCap)

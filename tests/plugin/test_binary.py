@@ -48,10 +48,10 @@ def test_needs_only_mitsuba_and_the_system(file, mitsuba):
 
 
 def test_size():
-    """Below 1 MiB, most of it the 13 variants."""
+    """Below 1.5 MiB, most of it the 13 variants."""
     size = EMITTER.stat().st_size
     print(f"{size / 1024:.0f} KiB")
-    assert size < 1 << 20
+    assert size < 3 << 19
 
 
 @pytest.mark.parametrize("file", [spherecap.PLUGIN, EMITTER])

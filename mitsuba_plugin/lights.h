@@ -1,0 +1,263 @@
+/* The spherecap lights of a scene, which choose among themselves at each point by what each gives to it.
+
+   Mitsuba chooses emitter i with a probability p_i that is the same everywhere, asks it for a sample, and
+   multiplies the density by p_i and the weight by 1 / p_i. So a light may answer for a group of them: with a
+   sample of light j, chosen with probability q_j at this point, and the density P / p_i q_j pdf_j, where P is
+   the sum of p over the group. Whichever light was asked, the density is P q_j pdf_j in total. Asked for the
+   density of one of its own directions, light j answers P / p_j q_j pdf_j, which gives the same.
+
+   Where kernels are compiled, nothing here may depend on how many lights there are or on which is asked: then
+   they share one compiled function. So what is known of them is in tables. */
+
+#pragma once
+
+#include <vector>
+
+#include <drjit/while_loop.h>
+#include <mitsuba/core/object.h>
+#include <mitsuba/render/emitter.h>
+
+#include "recorder.h"
+#include "sphere.h"
+#include "strategy.h"
+
+NAMESPACE_BEGIN(mitsuba)
+
+template <typename Float, typename Spectrum>
+class Lights final : public Object {
+public:
+    MI_IMPORT_TYPES(Emitter, EmitterPtr)
+    using Sphere = mitsuba::Sphere<Float>;
+
+    /// One of them: which, with what probability (0: none gives anything), and what is left of the random
+    /// number.
+    struct Choice {
+        UInt32 index;
+        Float probability, rest;
+    };
+
+    explicit Lights(const std::vector<const Emitter *> &members) : m_count(members.size()) {
+        if constexpr (dr::is_jit_v<Float>) {
+            m_geometry = dr::zeros<Table>(4 * m_count);
+            m_strength = dr::zeros<Table>(m_count);
+            m_radiance = dr::zeros<Table>(Channels * m_count);
+            m_members = dr::load<DynamicBuffer<EmitterPtr>>(members.data(), m_count);
+            m_attached.resize(m_count);
+            dr::eval(m_geometry, m_strength, m_radiance, m_members);
+        } else {
+            m_members = members;
+            for (Numbers &numbers : m_numbers)
+                numbers.resize(m_count);
+        }
+    }
+
+    /// May they answer for each other? Not once one of them is gone, or belongs to another scene, too.
+    bool is_complete() const { return m_is_complete; }
+    void dissolve() { m_is_complete = false; }
+
+    /// Tells what the light in a place is now.
+    void update(size_t place, const UInt32 &index, const Sphere &sphere, const UnpolarizedSpectrum &radiance,
+                const Float &strength) {
+        if constexpr (dr::is_jit_v<Float>) {
+            // What is differentiated is attached below, and what was before is let go.
+            m_geometry = dr::detach(m_geometry);
+            m_radiance = dr::detach(m_radiance);
+            store(index, dr::detach(sphere), dr::detach(radiance));
+            dr::scatter(m_strength, dr::detach(strength), index);
+            m_attached[place] = {index, sphere, radiance};
+            for (const Attached &light : m_attached)
+                if (dr::grad_enabled(light.sphere, light.radiance))
+                    store(light.index, light.sphere, light.radiance);
+        } else {
+            const float numbers[5] = {sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius,
+                                      strength};
+            for (size_t i = 0; i < 5; ++i)
+                m_numbers[i][place] = numbers[i];
+        }
+    }
+
+    Sphere sphere(const UInt32 &index, const Mask &active) const {
+        if constexpr (dr::is_jit_v<Float>) {
+            const auto row = dr::gather<dr::Array<Float, 4>>(m_geometry, index, active);
+            return {Point3f(row[0], row[1], row[2]), row[3]};
+        } else {
+            return {Point3f(m_numbers[0][index], m_numbers[1][index], m_numbers[2][index]),
+                    m_numbers[3][index]};
+        }
+    }
+
+    EmitterPtr emitter(const UInt32 &index, const Mask &active) const {
+        if constexpr (dr::is_jit_v<Float>)
+            return dr::gather<EmitterPtr>(m_members, index, active);
+        else
+            return active ? m_members[index] : nullptr;
+    }
+
+    /// Is the radiance in a table? A spectral one depends on wavelengths, and has to be asked for.
+    static constexpr bool HasRadiance = dr::is_jit_v<Float> && !is_spectral_v<Spectrum>;
+
+    UnpolarizedSpectrum radiance(const UInt32 &index, const Mask &active) const {
+        UnpolarizedSpectrum result(0.f);
+        if constexpr (HasRadiance)
+            for (uint32_t i = 0; i < Channels; ++i)
+                result[i] = dr::gather<Float>(m_radiance, Channels * index + i, active);
+        return result;
+    }
+
+    /// Chooses a light for a point with a random number in [0, 1].
+    Choice choose(const Strategy &strategy, const Point3f &p, const Normal3f &n, const Float &u,
+                  const Mask &active) const {
+        if constexpr (dr::is_jit_v<Float>) {
+            const SymbolicLoops guard;
+            const Total total = this->total(strategy, p, n, active);
+            // The last light that gives something takes what rounding leaves.
+            UInt32 index = 0, next = 0;
+            Float below = 0.f, share = 0.f, rest = 0.f;
+            Mask searching = active && total.sum > 0.f;
+            dr::tie(index, next, below, share, rest, searching) = dr::while_loop(
+                dr::make_tuple(index, next, below, share, rest, searching),
+                [](const UInt32 &, const UInt32 &, const Float &, const Float &, const Float &,
+                   const Mask &searching) { return searching; },
+                [&](UInt32 &index, UInt32 &next, Float &below, Float &share, Float &rest, Mask &searching) {
+                    const Float own = total.share(importance(strategy, p, n, next, searching));
+                    const Mask is_lit = searching && own > 0.f;
+                    dr::masked(index, is_lit) = next;
+                    dr::masked(share, is_lit) = own;
+                    dr::masked(rest, is_lit) = (u - below) / own;
+                    dr::masked(below, is_lit) = below + own;
+                    next += 1;
+                    searching &= !(is_lit && u < below) && next < uint32_t(m_count);
+                },
+                "spherecap choice");
+            return {index, share, dr::clip(rest, 0.f, 1.f)};
+        } else {
+            spherecap_choice_t choice{};
+            if (active) {
+                const Known known(*this, strategy, p, n);
+                spherecap_choose(known.importances, m_count, &known.total, Even, u, &choice);
+            }
+            return {uint32_t(choice.index), choice.probability, choice.rest};
+        }
+    }
+
+    /// The probability with which `choose` gives this light.
+    Float probability(const Strategy &strategy, const Point3f &p, const Normal3f &n, const UInt32 &index,
+                      const Mask &active) const {
+        if constexpr (dr::is_jit_v<Float>) {
+            const SymbolicLoops guard;
+            const Total total = this->total(strategy, p, n, active);
+            return total.share(importance(strategy, p, n, index, active));
+        } else {
+            float probability = 0.f;
+            if (active) {
+                const Known known(*this, strategy, p, n);
+                spherecap_choice_probability(known.importances[index], &known.total, Even, &probability);
+            }
+            return probability;
+        }
+    }
+
+    MI_DECLARE_CLASS(Lights)
+
+private:
+    using Table = DynamicBuffer<Float>;
+    static constexpr uint32_t Channels = dr::size_v<UnpolarizedSpectrum>;
+
+    /// The part of the probability that all lights share that give anything, however little: it bounds the
+    /// noise where the brightest of them is hidden.
+    static constexpr float Even = 0.05f;
+
+    /// Within a virtual call, say, loops can only be symbolic, and Dr.Jit warns where Mitsuba has asked for
+    /// the other kind. It does so for loops that are differentiated, as these are not.
+    struct SymbolicLoops {
+        dr::scoped_set_flag guard{JitFlag::SymbolicLoops,
+                                  jit_flag(JitFlag::SymbolicLoops) || jit_flag(JitFlag::SymbolicScope)};
+    };
+
+    /// What all lights give to a point, and how many do.
+    struct Total {
+        Float sum, lit;
+
+        Float share(const Float &importance) const {
+            return dr::select(importance > 0.f,
+                              dr::fmadd(importance, (1.f - Even) / sum, dr::rcp(lit) * Even), 0.f);
+        }
+    };
+
+    Total total(const Strategy &strategy, const Point3f &p, const Normal3f &n, const Mask &active) const {
+        UInt32 index = 0;
+        Float sum = 0.f, lit = 0.f;
+        dr::tie(index, sum, lit) = dr::while_loop(
+            dr::make_tuple(index, sum, lit),
+            [&](const UInt32 &index, const Float &, const Float &) {
+                return active && index < uint32_t(m_count);
+            },
+            [&](UInt32 &index, Float &sum, Float &lit) {
+                const Float own = importance(strategy, p, n, index, active);
+                sum += own;
+                dr::masked(lit, own > 0.f) = lit + 1.f;
+                index += 1;
+            },
+            "spherecap lights");
+        return {sum, lit};
+    }
+
+    Float importance(const Strategy &strategy, const Point3f &p, const Normal3f &n, const UInt32 &index,
+                     const Mask &active) const {
+        const Sphere light = dr::detach(sphere(index, active));
+        const Vector3f centre = light.center - p;
+        const Float strength = dr::gather<Float>(m_strength, index, active);
+        const spherecap_term_t term = Recorder<Float>::term(strength);
+        return Recorder<Float>::number(Recorder<Float>().record(
+            spherecap_record_importance, strategy.recorded(n, centre, light.radius), &term));
+    }
+
+    void store(const UInt32 &index, const Sphere &sphere, const UnpolarizedSpectrum &radiance) {
+        for (uint32_t i = 0; i < 3; ++i)
+            dr::scatter(m_geometry, sphere.center[i], 4 * index + i);
+        dr::scatter(m_geometry, sphere.radius, 4 * index + 3);
+        if constexpr (HasRadiance)
+            for (uint32_t i = 0; i < Channels; ++i)
+                dr::scatter(m_radiance, radiance[i], Channels * index + i);
+    }
+
+    // Where points are shaded one by one, arrays; else tables, and the numbers of lights that are
+    // differentiated.
+    using Numbers = std::vector<float>;
+
+    /// What a point knows of its lights, in memory that is used again for the next.
+    struct Known {
+        Known(const Lights &lights, const Strategy &strategy, const Point3f &p, const Normal3f &n) {
+            static thread_local Numbers memory;
+            memory.resize(std::max(memory.size(), lights.m_count));
+            importances = memory.data();
+            const auto &[x, y, z, radius, strength] = lights.m_numbers;
+            const spherecap_lights_t arrays{
+                lights.m_count, {x.data(), y.data(), z.data()}, radius.data(), strength.data()};
+            const spherecap_receiver_t receiver = strategy.receiver(n);
+            const float point[3] = {p.x(), p.y(), p.z()};
+            spherecap_importances(&receiver, point, &arrays, importances, &total);
+        }
+
+        float *importances;
+        spherecap_total_t total;
+    };
+
+    struct Attached {
+        UInt32 index;
+        Sphere sphere;
+        UnpolarizedSpectrum radiance;
+    };
+
+    const size_t m_count;
+    bool m_is_complete = true;
+    Numbers m_numbers[5];
+    Table m_geometry, m_strength, m_radiance;
+    std::vector<Attached> m_attached;
+    std::conditional_t<dr::is_jit_v<Float>, DynamicBuffer<EmitterPtr>, std::vector<const Emitter *>>
+        m_members;
+
+    MI_TRAVERSE_CB(Object, m_geometry, m_strength, m_radiance, m_members)
+};
+
+NAMESPACE_END(mitsuba)

@@ -1,0 +1,464 @@
+"""Several lights choose among themselves at each point: densities, groups, and images against `area`."""
+
+import gc
+from functools import partial
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import pytest
+from lights import point
+
+VARIANTS = ["scalar_rgb", "llvm_ad_rgb"]
+LLVM_VARIANTS = [variant for variant in mi.variants() if variant.startswith("llvm_")]
+
+#: Lights of every kind beside each other, over a floor: centre, radius, radiance.
+LIGHTS = [
+    ([-1.2, -0.5, 0.8], 0.25, (6, 1.5, 1)),
+    ([1.3, -0.4, 0.35], 0.25, (1.5, 5, 1.2)),
+    ([0.2, 1.4, 1.1], 0.45, (0.6, 1.2, 3)),
+    ([0.1, -0.7, 0.25], 0.05, (60, 50, 30)),
+]
+#: Touching the floor, below it, half sunk, around some of it, black, overlapping another.
+HARD = [
+    ([-0.6, 0, 0.3], 0.3, (3, 1, 1)),
+    ([0, 0, -0.6], 0.5, (5, 5, 5)),
+    ([0.8, 0.3, -0.05], 0.25, (1, 4, 1)),
+    ([0.2, 1.2, 0.1], 0.6, (1, 1, 3)),
+    ([0.1, -0.6, 0.5], 0.05, (0, 0, 0)),
+    ([0.9, 0.4, 0.1], 0.3, (2, 2, 1)),
+    ([0, -0.4, 1.5], 0.1, (30, 30, 30)),
+]
+
+
+@pytest.fixture(params=VARIANTS)
+def variant(request):
+    """One by one, and compiled."""
+    mi.set_variant(request.param)
+    return request.param
+
+
+@pytest.fixture
+def llvm_ad_rgb():
+    """For what is about compiled kernels."""
+    mi.set_variant("llvm_ad_rgb")
+
+
+def sphere(center, radius, radiance, emitter="spherecap", **parameters):
+    """A light."""
+    rgb = {"type": "rgb", "value": [float(x) for x in radiance]}
+    return {
+        "type": "sphere",
+        "center": [float(x) for x in center],
+        "radius": float(radius),
+        "emitter": {"type": emitter, "radiance": rgb, **parameters},
+    }
+
+
+def random_lights(count):
+    """Lights of all sizes above a floor, most of them dim."""
+    rng = np.random.default_rng(3)
+    lights = []
+    for _ in range(count):
+        radius = np.exp(rng.uniform(np.log(0.04), np.log(0.3)))
+        center = rng.uniform([-3, -3, 0.6 * radius], [3, 3, 2])
+        strength = np.exp(rng.uniform(np.log(0.5), np.log(5))) * 0.8 / radius / count**0.5
+        lights.append((center, radius, strength * rng.uniform(0.3, 1, 3)))
+    return lights
+
+
+def scene(those, emitter="spherecap", integrator=None, beside=None, size=12, **parameters):
+    """Lights over a floor with a ball and a block on it, seen from a camera, and other things beside them."""
+    transform = mi.ScalarTransform4f
+    grey = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.7}}
+    description = {
+        "type": "scene",
+        "integrator": integrator
+        or {"type": "direct", "emitter_samples": 1, "bsdf_samples": 0, "hide_emitters": True},
+        "sensor": {
+            "type": "perspective",
+            "fov": 55,
+            "to_world": transform().look_at(origin=[1, -4, 2.8], target=[0, 0.2, 0.3], up=[0, 0, 1]),
+            "film": {"type": "hdrfilm", "width": size, "height": size, "rfilter": {"type": "box"}},
+        },
+        "floor": {"type": "rectangle", "to_world": transform().scale(50), "bsdf": dict(grey)},
+        "ball": {"type": "sphere", "center": [-0.35, 0.1, 0.35], "radius": 0.35, "bsdf": dict(grey)},
+        "block": {
+            "type": "cube",
+            "to_world": transform().translate([0.7, 0.25, 0.35]).scale([0.25, 0.25, 0.35]),
+            "bsdf": dict(grey),
+        },
+        **{f"light{i}": sphere(*light, emitter, **parameters) for i, light in enumerate(those)},
+    }
+    description.update(beside or {})
+    return mi.load_dict(description)
+
+
+def sampled(loaded, it, u):
+    """What random numbers give: light, density, the density that is asked for, direction, weight."""
+    if dr.is_jit_v(mi.Float):
+        ds, weight = loaded.sample_emitter_direction(it, mi.Point2f(u.T), False)
+        asked = np.array(loaded.pdf_emitter_direction(it, ds))
+        numbers, known = (
+            np.array(dr.reinterpret_array(mi.UInt32, emitter))
+            for emitter in (ds.emitter, loaded.emitters_dr())
+        )
+        order = {int(n): i for i, n in enumerate(known)}
+        index = np.array([order.get(int(n), -1) for n in numbers])
+        d, weight = np.array(ds.d), np.array(weight)
+        d, weight = (a.T if a.shape[0] == 3 else a for a in (d, weight))
+        return index, np.array(ds.pdf), asked, d, weight
+    rows = []
+    emitters = {emitter.ptr: i for i, emitter in enumerate(loaded.emitters())}
+    for pair in u.tolist():
+        ds, weight = loaded.sample_emitter_direction(it, pair, False)
+        asked = loaded.pdf_emitter_direction(it, ds) if ds.pdf > 0 else 0.0
+        index = emitters[ds.emitter.ptr] if ds.pdf > 0 else -1
+        rows.append((index, ds.pdf, asked, np.array(ds.d), np.array(weight)))
+    return [np.array(column) for column in zip(*rows, strict=True)]
+
+
+@pytest.mark.parametrize("weights", [(1, 1, 1, 1), (1, 3, 0.5, 2)])
+def test_choice_and_direction_together(variant, weights):
+    """Each eighth of each light's solid angle is covered as densely as the samples say.
+
+    Over all lights that Mitsuba may ask: by its own sampling, whose numbers these are.
+    """
+    lights = {
+        f"l{i}": sphere(*light, sampling_weight=float(w))
+        for i, (light, w) in enumerate(zip(LIGHTS, weights, strict=True))
+    }
+    loaded = mi.load_dict({"type": "scene", **lights})
+    count = 400_000 if variant != "scalar_rgb" else 20_000
+    u = np.random.default_rng(5).random((count, 2))
+    index, pdf, asked, d, weight = sampled(loaded, point((0.3, -0.3, 0)), u)
+    assert (pdf > 0).all()
+    np.testing.assert_allclose(asked, pdf, rtol=3e-5)
+    for i, (center, radius, radiance) in enumerate(LIGHTS):
+        axis = np.array(center) - [0.3, -0.3, 0]
+        s = radius / np.linalg.norm(axis)
+        assert axis[2] / np.linalg.norm(axis) > s  # all of it is above the horizon
+        solid_angle = 2 * np.pi * s * s / (1 + np.sqrt(1 - s * s))
+        axis /= np.linalg.norm(axis)
+        side = np.cross(axis, [0, 0, 1])
+        side /= np.linalg.norm(side)
+        ours = index == i
+        across = np.stack([d @ side, d @ np.cross(axis, side)])
+        quarter = 2 * (across[0] > 0) + (across[1] > 0)
+        # Half of the solid angle is within the angle whose 1 - cos is half of the light's.
+        inner = 1 - d @ axis < solid_angle / (4 * np.pi)
+        for cell in range(8):
+            inside = ours & (quarter + 4 * inner == cell)
+            estimate = np.where(inside, 1 / pdf, 0)
+            error = estimate.std() / np.sqrt(count)
+            assert abs(estimate.mean() - solid_angle / 8) < 4.5 * error + 1e-3 * solid_angle / 8
+            assert error < 0.2 * solid_angle / 8
+        np.testing.assert_allclose(
+            weight[ours] * pdf[ours, None], np.tile(radiance, (ours.sum(), 1)), rtol=1e-4
+        )
+
+
+def test_strata_survive(variant):
+    """The random number is used again for the direction, and what Mitsuba has done to it is undone."""
+    lights = {f"l{i}": sphere(*light) for i, light in enumerate(random_lights(10))}
+    loaded = mi.load_dict({"type": "scene", **lights})
+    it = point((0.2, 0.1, 0))
+    rng = np.random.default_rng(1)
+    estimates = {"strata": [], "independent": []}
+    for _ in range(200):
+        jitter = rng.random((16, 2))
+        strata = np.stack([(np.arange(16) + jitter[:, 0]) / 16, (rng.permutation(16) + jitter[:, 1]) / 16], 1)
+        for name, u in (("strata", strata), ("independent", rng.random((16, 2)))):
+            *_, d, weight = sampled(loaded, it, u)
+            # The irradiance by reds, which the choice does not look at.
+            estimates[name].append((weight[:, 0] * np.maximum(d[:, 2], 0)).mean())
+    assert np.std(estimates["strata"]) < 0.6 * np.std(estimates["independent"])
+
+
+def test_one_light_is_as_before(variant):
+    """A group of one is none: the same bits."""
+    images = [
+        np.array(mi.render(scene(LIGHTS[:1], lights=lights), spp=4, seed=1)) for lights in ("all", "one")
+    ]
+    assert np.array_equal(*images)
+
+
+def means(loaded, renders=16, spp=64, first=0):
+    """Means of the blocks of independent images."""
+    images = np.stack([np.array(mi.render(loaded, spp=spp, seed=first + i)) for i in range(renders)])
+    n, h, w, c = images.shape
+    return images[..., :3].reshape(n, 3, h // 3, 3, w // 3, min(c, 3)).mean((2, 4)).reshape(n, -1)
+
+
+def assert_same_mean(ours, theirs, scores=5):
+    """All blocks agree, and the whole; an image that is 1 % dimmer would not, if the noise allows to tell."""
+    error = np.sqrt(ours.var(0, ddof=1) / len(ours) + theirs.var(0, ddof=1) / len(theirs))
+    assert (np.abs(ours.mean(0) - theirs.mean(0)) <= scores * error + 1e-4 * theirs.mean()).all()
+    whole = [a.mean(1) for a in (ours, theirs)]
+    error = np.sqrt(sum(a.var(ddof=1) / len(a) for a in whole))
+    difference = abs(whole[0].mean() - whole[1].mean())
+    print(f"{whole[0].mean():.5f} {whole[1].mean():.5f} +- {error:.5f}")
+    assert difference <= scores * error
+    assert error < 0.01 * whole[1].mean()
+
+
+def bumps(bsdf):
+    """A BSDF with perturbed normals."""
+    heights = np.random.default_rng(0).random((16, 16, 1)).astype(np.float32) * 0.3
+    return {
+        "type": "bumpmap",
+        "arbitrary": {"type": "bitmap", "raw": True, "data": mi.TensorXf(heights)},
+        "bsdf": bsdf,
+    }
+
+
+#: What may be beside the lights.
+BESIDE = {
+    "nothing": dict,
+    "other emitters": lambda: {
+        "sky": {"type": "constant", "radiance": {"type": "rgb", "value": [0.02, 0.03, 0.05]}},
+        "point": {"type": "point", "position": [0.5, -1, 1.5], "intensity": {"type": "rgb", "value": 0.05}},
+        "panel": {
+            "type": "rectangle",
+            "to_world": mi.ScalarTransform4f().translate([0, 0, 3]).rotate([1, 0, 0], 180),
+            "emitter": {"type": "area", "radiance": {"type": "rgb", "value": 0.1}},
+        },
+    },
+    "two sides": lambda: {
+        "wall": {
+            "type": "rectangle",
+            "to_world": mi.ScalarTransform4f()
+            .translate([0, 0.3, 0.5])
+            .rotate([1, 0, 0], 80)
+            .scale([0.8, 0.5, 1]),
+            "bsdf": {"type": "twosided", "b": {"type": "diffuse"}},
+        }
+    },
+    "bumps": lambda: {
+        "ball": {
+            "type": "sphere",
+            "center": [-0.35, 0.1, 0.35],
+            "radius": 0.35,
+            "bsdf": bumps({"type": "diffuse"}),
+        }
+    },
+    # Down into the floor: through a boundary between surface and light, `volpath` loses light of `area`, too.
+    "fog": lambda: {
+        "fog": {
+            "type": "cube",
+            "to_world": mi.ScalarTransform4f().translate([0, 0, 0.9]).scale([1.6, 1.6, 0.95]),
+            "bsdf": {"type": "null"},
+            "interior": {"type": "homogeneous", "albedo": 0.8, "sigma_t": 0.8},
+        }
+    },
+}
+
+
+@pytest.mark.parametrize("lights", ["plain", "hard"])
+@pytest.mark.parametrize("beside", BESIDE)
+def test_images_are_those_of_area(llvm_ad_rgb, lights, beside):
+    """Whatever else there is."""
+    integrator = {"type": "volpath" if beside == "fog" else "path", "max_depth": 4, "hide_emitters": True}
+    chosen = LIGHTS if lights == "plain" else HARD
+    spp = 512 if beside == "fog" or lights == "hard" else 256
+    ours = means(scene(chosen, "spherecap", integrator, BESIDE[beside]()), spp=spp)
+    theirs = means(scene(chosen, "area", integrator, BESIDE[beside]()), spp=4 * spp, first=100)
+    assert_same_mean(ours, theirs)
+
+
+@pytest.mark.parametrize("integrator", ["direct", "path", "prb", "volpath", "volpathmis", "ptracer"])
+def test_integrators(llvm_ad_rgb, integrator):
+    """All that sample emitters, and one that starts at them."""
+    options = {"type": integrator} if integrator == "direct" else {"type": integrator, "max_depth": 3}
+    spp = 1024 if integrator == "ptracer" else 256
+    ours = means(scene(LIGHTS, "spherecap", {**options, "hide_emitters": True}), spp=spp)
+    theirs = means(scene(LIGHTS, "area", {**options, "hide_emitters": True}), spp=4 * spp, first=100)
+    assert_same_mean(ours, theirs)
+
+
+@pytest.mark.parametrize("name", ["scalar_rgb", "scalar_spectral", *LLVM_VARIANTS])
+def test_variants(name):
+    """One by one and compiled, with colours, wavelengths and polarisation."""
+    mi.set_variant(name)
+    compiled = name.startswith("llvm")
+    spp = (256, 1024) if compiled else (32, 128)
+    ours = means(scene(LIGHTS), spp=spp[0])
+    theirs = means(scene(LIGHTS, "area"), spp=spp[1], first=100)
+    assert_same_mean(ours, theirs)
+
+
+@pytest.mark.parametrize("count", [2, 10, 100, 400])
+def test_many_lights(llvm_ad_rgb, count):
+    """Half of them in half of the scenes below the ball's horizon."""
+    ours = means(scene(random_lights(count)), spp=128)
+    theirs = means(scene(random_lights(count), "area"), spp=4096, first=100)
+    assert_same_mean(ours, theirs)
+
+
+def render(loaded):
+    """Render an image, and wait for it."""
+    return np.array(mi.render(loaded, spp=1))
+
+
+def kernels_of(work):
+    """The kernels that Dr.Jit runs for some work."""
+    dr.kernel_history_clear()
+    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+        work()
+        return [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
+
+
+def test_one_program_for_any_number(llvm_ad_rgb):
+    """What is compiled for ten lights is what is compiled for a hundred."""
+    operations = []
+    for count in (10, 100):
+        loaded = scene(random_lights(count))
+        gc.collect()
+        kernels = kernels_of(partial(render, loaded))
+        operations.append(max(k["operation_count"] for k in kernels))
+    print(operations)
+    assert operations[1] <= 1.02 * operations[0]
+
+
+def test_lights_that_change(llvm_ad_rgb):
+    """A light that moves, grows or changes its radiance is chosen by what it is now; nothing is compiled."""
+    loaded = scene(LIGHTS)
+    params = mi.traverse(loaded)
+    np.array(mi.render(loaded, spp=1))
+    changed = [list(light) for light in LIGHTS]
+
+    def change(i, center, radius, radiance):
+        changed[i] = [center, radius, radiance]
+        params[f"light{i}.to_world"] = mi.Transform4f().translate(center).scale(radius)
+        params[f"light{i}.emitter.radiance.value"] = mi.Color3f(radiance)
+        params.update()
+        np.array(mi.render(loaded, spp=1))
+
+    change(0, [-1, 0.5, 0.6], 0.2, [1.0, 2.0, 3.0])
+    kernels = kernels_of(lambda: change(3, [0.5, 0.5, 1.5], 0.5, [0.5, 0.5, 0.5]))
+    kernels += kernels_of(lambda: change(1, [0.5, 0.5, 0.5], 0.5, [0.0, 0.0, 0.0]))
+    assert kernels
+    assert all(k["cache_hit"] for k in kernels)
+    fresh = scene(changed)
+    images = [np.array(mi.render(s, spp=16, seed=3)) for s in (loaded, fresh)]
+    np.testing.assert_allclose(*images, rtol=1e-4, atol=1e-6)
+
+
+def test_weights_that_change(variant):
+    """They multiply into the choice, and densities stay right."""
+    loaded = scene(LIGHTS)
+    params = mi.traverse(loaded)
+    for i, weight in enumerate((1.0, 0.0, 2.0, 5.0)):
+        params[f"light{i}.emitter.sampling_weight"] = weight
+    params.update()
+    u = np.random.default_rng(5).random((2000, 2))
+    it = point((0.3, -0.3, 0))
+    index, pdf, asked, _, _ = sampled(loaded, it, u)
+    np.testing.assert_allclose(asked, pdf, rtol=3e-5)
+    fresh = [
+        sphere(*light, sampling_weight=weight)
+        for light, weight in zip(LIGHTS, (1.0, 0.0, 2.0, 5.0), strict=True)
+    ]
+    other = scene([], beside={f"light{i}": light for i, light in enumerate(fresh)})
+    again = sampled(other, it, u)
+    np.testing.assert_allclose(again[1], pdf, rtol=1e-5)
+    # The second is never chosen.
+    assert len(np.unique(index)) == 3
+
+
+def test_frozen(llvm_ad_rgb):
+    """A frozen function follows lights as a fresh render does."""
+    loaded = scene(LIGHTS)
+    params = mi.traverse(loaded)
+
+    @dr.freeze
+    def frozen(loaded, seed):
+        return mi.render(loaded, spp=4, seed=seed)
+
+    for i, x in enumerate((-1.0, -0.5, 0.5, 1.0)):
+        params["light0.to_world"] = mi.Transform4f().translate([x, 0.2, 0.9]).scale(0.2)
+        params["light3.emitter.radiance.value"] = mi.Color3f(10 + x, 5, 3)
+        params.update()
+        seed = mi.UInt32(i)
+        dr.make_opaque(seed)
+        found = np.array(frozen(loaded, seed))
+        expected = np.array(mi.render(loaded, spp=4, seed=seed))
+        np.testing.assert_allclose(found, expected, rtol=1e-4, atol=1e-6)
+    assert frozen.n_recordings <= 2
+
+
+def test_lights_of_two_scenes(variant):
+    """A light that is in two scenes samples itself alone in both; both are right, in either order."""
+    shared = [mi.load_dict(sphere(*light)) for light in LIGHTS[:2]]
+    first = mi.load_dict({"type": "scene", "a": shared[0], "b": shared[1], "c": sphere(*LIGHTS[2])})
+    it = point((0.3, -0.3, 0))
+    u = np.random.default_rng(5).random((500, 2))
+    before = sampled(first, it, u)
+    second = mi.load_dict({"type": "scene", "a": shared[0], "d": sphere(*LIGHTS[3])})
+    for loaded, count in ((first, 3), (second, 2)):
+        index, pdf, asked, _, _ = sampled(loaded, it, u)
+        np.testing.assert_allclose(asked, pdf, rtol=3e-5)
+        # Mitsuba's choice: as often each.
+        assert np.bincount(index[index >= 0], minlength=count).max() < 1.3 * len(u) / count
+    assert np.bincount(before[0]).max() > 1.3 * len(u) / 3
+
+
+def test_scenes_that_are_freed(variant):
+    """A light outlives its scene, and the others of its group."""
+    survivor = mi.load_dict(sphere(*LIGHTS[0]))
+    loaded = mi.load_dict({"type": "scene", "a": survivor, "b": sphere(*LIGHTS[1])})
+    it = point((0.3, -0.3, 0))
+    u = np.random.default_rng(5).random((50, 2))
+    sampled(loaded, it, u)
+    del loaded
+    gc.collect()
+    ds, _ = survivor.emitter().sample_direction(it, mi.Point2f(0.3, 0.4))
+    assert dr.all(ds.pdf > 0)
+    assert dr.all(dr.abs(survivor.emitter().pdf_direction(it, ds) - ds.pdf) <= 1e-5 * ds.pdf)
+
+
+def test_who_joins(variant):
+    """Lights that sample in other ways, or alone, are no part of the group; sums are right all the same."""
+    apart = {
+        "a": sphere(*LIGHTS[0]),
+        "b": sphere(*LIGHTS[1], technique="solid_angle"),
+        "c": sphere(*LIGHTS[2], lights="one"),
+        "d": sphere(*LIGHTS[3]),
+        "e": sphere([2, 2, 2], 0.3, (1, 1, 1), "area"),
+    }
+    loaded = mi.load_dict({"type": "scene", **apart})
+    u = np.random.default_rng(5).random((2000, 2))
+    index, pdf, asked, _, _ = sampled(loaded, point((0.3, -0.3, 0)), u)
+    np.testing.assert_allclose(asked, pdf, rtol=1e-4)
+    counts = np.bincount(index, minlength=5) / len(u)
+    # Mitsuba gives each a fifth, and the two of the group share theirs.
+    assert sorted(counts)[1:4] == pytest.approx([0.2, 0.2, 0.2], abs=0.05)
+    assert sorted(counts)[0] < 0.1
+    with pytest.raises(RuntimeError, match='"all", "one"'):
+        mi.load_dict(sphere(*LIGHTS[0], lights="some"))
+
+
+def test_a_black_light_keeps_its_gradient(llvm_ad_rgb):
+    """It is sampled while it is being optimised."""
+    loaded = scene([*LIGHTS[:2], ([0.2, 1.4, 1.1], 0.45, (0, 0, 0))])
+    key = "light2.emitter.radiance.value"
+    for integrator in ("direct", "prb"):
+        params = mi.traverse(loaded)
+        value = mi.Color3f(0.0)
+        dr.enable_grad(value)
+        params[key] = value
+        params.update()
+        options = (
+            {"hide_emitters": True} if integrator == "direct" else {"max_depth": 2, "hide_emitters": True}
+        )
+        image = mi.render(loaded, params, integrator=mi.load_dict({"type": integrator, **options}), spp=4096)
+        dr.backward(dr.mean(image.array))
+        found = np.array(dr.grad(value)).ravel()
+        step = 1.0  # the image is linear in it
+        params[key] = mi.Color3f(step)
+        params.update()
+        brighter = np.array(mi.render(loaded, spp=1024)).mean()
+        params[key] = mi.Color3f(0.0)
+        params.update()
+        expected = (brighter - np.array(mi.render(loaded, spp=1024)).mean()) / step
+        assert found.sum() == pytest.approx(expected, rel=0.05)
