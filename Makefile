@@ -14,7 +14,8 @@ OLDER_MITSUBAS := $(shell sed -n 's/^set(mitsubas [^ ]* \(.*\))/\1/p' mitsuba_pl
 MITSUBAS := $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) 3.6.4)
 C_RENDERER := build/renderer
 IRRADIANCE := build/irradiance
-CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h tests/install/*.c examples/*.c)
+CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h tests/install/*.c examples/*.c \
+    tools/cuda/emulator/*.[ch])
 
 # `make demo SCENE=cut_light VARIANT=scalar_rgb SPP=16`
 SCENE ?= cut_light
@@ -31,7 +32,7 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross test test-rust prepare-test-python test-python test-mitsubas test-long lint format build library install \
+.PHONY: help demo cross test test-rust prepare-test-python test-python test-mitsubas cuda-check test-long lint format build library install \
     uninstall doc package msrv valgrind header accuracy bench instructions report fits picture clean FORCE
 
 help: ## List the targets.
@@ -190,6 +191,9 @@ test-mitsubas: build $(MITSUBAS) ## The plugin with other releases of Mitsuba: l
 	    "again with \`make PYTHON=python3.11 test-mitsubas\`" >&2; exit 1; }
 	touch $@
 
+cuda-check: build library ## Pack .cuda/, which checks the CUDA variants on a machine with a GPU.
+	tools/cuda/prepare
+
 test-long: ## The random tests, with many more inputs than in `make test`: about ten minutes.
 	PROPTEST_CASES=20000000 cargo test --release --locked --test strata
 	SPHERECAP_FUZZ_TRIALS=100000000 cargo test --release --locked --test c_abi numbers_of_every_kind
@@ -201,6 +205,6 @@ picture: build ## Remake the picture of the README.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene cut_light --spp 4 --width 160 --picture docs/cut_light.png
 
 clean: ## Remove all that was built, rendered and installed here.
-	rm -rf target build out report $(VENV) .venv-luxcore .venv-cycles .venv-mitsuba-* mitsuba_plugin/spherecap/plugins
+	rm -rf target build out report .cuda $(VENV) .venv-luxcore .venv-cycles .venv-mitsuba-* mitsuba_plugin/spherecap/plugins
 
 FORCE:
