@@ -181,15 +181,15 @@ class Function:
         x = [wide + self.read(operand, type_) for operand in operands]
         if "ftz" in modifiers:
             x = [f"ftz({operand})" for operand in x]
-        others = [m for m in modifiers if m not in IGNORED and not re.fullmatch(TYPE, m)]
+        untyped = [m for m in modifiers if not re.fullmatch(TYPE, m)]
         if op == "setp":
-            (comparison,) = others
+            comparison = ".".join(m for m in untyped if m != "ftz")
             value = f"{x[0]} {COMPARISONS[comparison]} {x[1]}"
             # Nothing is so of NaN, not even `ne`.
             return f"({value}) && !isunordered({x[0]}, {x[1]})" if type_ == "f32" else value
         if op == "mad" and wide:
             x[2] = self.read(operands[2], wide[1:-2])
-        name = ".".join([op, *others])
+        name = ".".join([op, *(m for m in untyped if m not in IGNORED)])
         typed = f"{name}.{type_}"
         return VALUES[typed if typed in VALUES else name].format(*x)
 
