@@ -57,7 +57,13 @@ def test_the_guides_parameters_are_the_emitters(scalar_rgb: None) -> None:
     row = r"^\| `(\w+)` \| (\w+) \| (.+?) \| (.*?) \|.*\|$"
     rows = re.findall(row, GUIDE.read_text(encoding="utf-8"), re.MULTILINE)
     defaults = {name: default.strip("`") for name, _, default, _ in rows}
-    expected = {"radiance": "1", "technique": "projected", "hemispheres": "auto", "defensive": "automatic"}
+    expected = {
+        "radiance": "1",
+        "technique": "projected",
+        "hemispheres": "auto",
+        "defensive": "automatic",
+        "lights": "all",
+    }
     assert defaults == expected
     text = str(mi.load_dict({"type": "sphere", "emitter": {"type": "spherecap"}}).emitter())
     meanings = {name: meaning for name, _, _, meaning in rows}
