@@ -289,9 +289,10 @@ def test_variants(name):
 
 @pytest.mark.parametrize("count", [2, 10, 100, 400])
 def test_many_lights(llvm_ad_rgb, count):
-    """Half of them in half of the scenes below the ball's horizon."""
-    ours = means(scene(random_lights(count)), spp=128)
-    theirs = means(scene(random_lights(count), "area"), spp=4096, first=100)
+    """Each costs time, and takes none of the precision."""
+    renders = 16 if count < 100 else 8
+    ours = means(scene(random_lights(count)), renders, spp=16)
+    theirs = means(scene(random_lights(count), "area"), renders, spp=1024, first=100)
     assert_same_mean(ours, theirs)
 
 
