@@ -1,5 +1,5 @@
-//! The importance of a light at a point: about the irradiance over pi that it gives there if nothing hides it, and not less. It
-//! costs a fiftieth of a sample, and is what lights are chosen by (`choice.rs`).
+//! The importance of a light at a point: about the irradiance over pi that it gives there if nothing hides it, and not less. Lights are
+//! chosen by it (`choice.rs`).
 //!
 //! With `s = r/d` and `Z` as in `cap.rs`, and `T = Z + s` what the light has above the horizon (in units of its distance), it is
 //! `strength s^2 c` with
