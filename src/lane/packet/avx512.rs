@@ -23,7 +23,7 @@ unsafe fn load(from: *const f32, count: usize) -> __m512 {
 #[inline]
 #[target_feature(enable = "avx512f")]
 unsafe fn store(to: *mut f32, count: usize, a: __m512) {
-    // A masked store costs a short kernel a sixth of its time.
+    // A masked store costs a short kernel a tenth of its time.
     // SAFETY: the caller's promise.
     unsafe {
         if count == 16 {
