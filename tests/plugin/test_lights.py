@@ -463,3 +463,41 @@ def test_a_black_light_keeps_its_gradient(llvm_ad_rgb):
         params.update()
         expected = (brighter - np.array(mi.render(loaded, spp=1024)).mean()) / step
         assert found.sum() == pytest.approx(expected, rel=0.05)
+
+
+@pytest.mark.parametrize("integrator", ["prb", "path"])
+def test_gradients_with_respect_to_colours(llvm_ad_rgb, integrator):
+    """Channels of a reflectance, against differences, and of a radiance, in which the image is linear."""
+    options = {"max_depth": 3, "hide_emitters": True}
+    loaded = scene(LIGHTS, integrator={"type": integrator, **options}, size=24)
+    references = {"type": "path", **options}
+
+    def mean(those, reflectance):
+        plain = scene(those, integrator=references, size=24)
+        params = mi.traverse(plain)
+        params["ball.bsdf.reflectance.value"] = mi.Color3f(reflectance)
+        params.update()
+        images = [np.array(mi.render(plain, spp=256, seed=seed)) for seed in range(8)]
+        return np.mean(images, (0, 1, 2), dtype=np.float64) / 3
+
+    center, radius, radiance = LIGHTS[1]
+    expected = {
+        "ball.bsdf.reflectance.value": (mean(LIGHTS, 0.75) - mean(LIGHTS, 0.65)) / 0.1,
+        "light1.emitter.radiance.value": mean([(center, radius, [1, 1, 1])], 0.7),
+    }
+    params = mi.traverse(loaded)
+    for key, value in (("ball.bsdf.reflectance.value", 0.7), ("light1.emitter.radiance.value", radiance)):
+        rows = []
+        for seed in range(12):
+            colour = mi.Color3f(value)
+            dr.enable_grad(colour)
+            params[key] = colour
+            params.update()
+            dr.backward(dr.mean(mi.render(loaded, params, spp=64, seed=seed).array))
+            rows.append(np.array(dr.grad(colour)).ravel())
+        params[key] = mi.Color3f(value)
+        found, error = np.mean(rows, 0), np.std(rows, 0, ddof=1) / np.sqrt(len(rows))
+        print(f"{key}: {found} +- {error}, expected {expected[key]}")
+        # Twelve renders: six standard errors are beyond 1 in 5000; what is expected is more precise.
+        assert (np.abs(found - expected[key]) < 6 * error + 2e-3 * np.abs(expected[key])).all()
+        assert (error < 0.02 * np.abs(expected[key])).all()
