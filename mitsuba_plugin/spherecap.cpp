@@ -267,8 +267,8 @@ public:
         Float chosen = 1.f;
         UInt32 index = m_index;
         Point2f u = sample;
-        const bool is_grouped = this->is_grouped();
-        if (is_grouped) {
+        const bool answers_for_all = is_grouped();
+        if (answers_for_all) {
             // Mitsuba has stretched the number to choose this light: what it was before is one for all.
             const typename Lights::Choice choice =
                 m_lights->choose(strategy(), dr::detach(it.p), dr::detach(it.n),
@@ -276,7 +276,7 @@ public:
             active &= choice.probability > 0.f;
             index = choice.index;
             sphere = m_lights->sphere(index, active);
-            chosen = choice.probability / m_share;
+            chosen = choice.probability * m_inv_share;
             u.x() = choice.rest;
         }
 
@@ -289,7 +289,7 @@ public:
         ds.time = it.time;
         ds.emitter = this;
         active &= ds.pdf != 0.f;
-        if (!is_grouped) {
+        if (!answers_for_all) {
             SurfaceInteraction3f si(ds, it.wavelengths);
             UnpolarizedSpectrum weight = m_radiance->eval(si, active) / ds.pdf;
             return {ds, depolarizer<Spectrum>(weight) & active};
@@ -315,8 +315,8 @@ public:
         }
         if (is_grouped())
             pdf *= m_lights->probability(strategy(), dr::detach(it.p), dr::detach(it.n), m_index,
-                                         active && pdf != 0.f) /
-                   m_share;
+                                         active && pdf != 0.f) *
+                   m_inv_share;
         return pdf;
     }
 
@@ -512,13 +512,10 @@ private:
         std::vector<SphereCap *> members;
         for (const auto &emitter : scene->emitters())
             if (auto *other = dynamic_cast<SphereCap *>(const_cast<Base *>(emitter.get())))
-                if (other->samples_as(*this))
+                if (other->samples_as(*this) && (!other->m_scene || other->m_scene == scene))
                     members.push_back(other);
         if (members.size() < 2 || members.front() != this)
             return;
-        for (const SphereCap *member : members)
-            if (member->m_scene && member->m_scene != scene)
-                return;
         const ref<Lights> lights = new Lights({members.begin(), members.end()});
         for (size_t i = 0; i < members.size(); ++i) {
             members[i]->leave();
@@ -545,22 +542,28 @@ private:
     /// Tells the group what this light is now.
     void tell() {
         SurfaceInteraction3f si = dr::zeros<SurfaceInteraction3f>();
-        if constexpr (is_spectral_v<Spectrum>)
-            si.wavelengths = Wavelength(450.f, 520.f, 590.f, 640.f);
         const UnpolarizedSpectrum radiance = m_radiance->eval(si, true);
-        const UnpolarizedSpectrum size = dr::abs(dr::detach(radiance));
-        Float strength;
-        if constexpr (is_rgb_v<Spectrum>)
-            strength = luminance(size);
-        else
-            strength = dr::mean(size);
-        strength *= m_sampling_weight;
-        if constexpr (dr::is_diff_v<Float>) {
-            // A light that is optimised must be sampled while it is black, too.
-            if (dr::grad_enabled(radiance) && m_sampling_weight > 0.f)
-                strength = dr::maximum(strength, 1e-20f);
+        Float strength = 0.f;
+        bool may_be_black = true;
+        if constexpr (is_spectral_v<Spectrum>) {
+            // Here and there, 15 nanometres apart. In between there may be a line.
+            constexpr size_t Lines = 32, Width = dr::size_v<Wavelength>;
+            for (size_t i = 0; i < Lines; i += Width) {
+                for (size_t j = 0; j < Width; ++j)
+                    si.wavelengths[j] = 360.f + 15.f * ScalarFloat(i + j);
+                strength += dr::mean(dr::abs(dr::detach(m_radiance->eval(si, true))));
+            }
+            may_be_black = false;
+        } else if constexpr (is_rgb_v<Spectrum>) {
+            strength = luminance(UnpolarizedSpectrum(dr::abs(dr::detach(radiance))));
+        } else {
+            strength = dr::mean(dr::abs(dr::detach(radiance)));
         }
-        m_lights->update(m_place, m_index, m_sphere, radiance, strength);
+        if constexpr (dr::is_diff_v<Float>)
+            may_be_black &= !dr::grad_enabled(radiance); // else it is sampled to find out what it should be
+        if (!may_be_black)
+            strength = dr::maximum(strength, 1e-20f);
+        m_lights->update(m_place, m_index, m_sphere, radiance, strength * m_sampling_weight);
     }
 
     /// Shares out Mitsuba's random number among all members, by the weights that it chooses them with.
@@ -569,9 +572,13 @@ private:
         for (const SphereCap *member : members)
             sum += member->m_sampling_weight;
         for (SphereCap *member : members) {
-            member->m_share = dr::opaque<Float>(member->m_sampling_weight / sum);
-            member->m_before = dr::opaque<Float>(before / sum);
-            before += member->m_sampling_weight;
+            // One without a weight is never asked for a sample, and no other light answers with one of its
+            // own.
+            const ScalarFloat weight = member->m_sampling_weight;
+            member->m_share = dr::opaque<Float>(weight > 0.f ? weight / sum : 0.f);
+            member->m_inv_share = dr::opaque<Float>(weight > 0.f ? sum / weight : 0.f);
+            member->m_before = dr::opaque<Float>(weight > 0.f ? before / sum : 0.f);
+            before += weight;
         }
     }
 
@@ -592,10 +599,11 @@ private:
     size_t m_place = 0;
     /// The place, where kernels are compiled in memory
     UInt32 m_index = 0;
-    /// The part of the group's random numbers for which Mitsuba asks this light, and where it begins
-    Float m_share = 1.f, m_before = 0.f;
+    /// The part of the group's random numbers for which Mitsuba asks this light, its reciprocal, and where it
+    /// begins
+    Float m_share = 1.f, m_inv_share = 1.f, m_before = 0.f;
 
-    MI_TRAVERSE_CB(Base, m_radiance, m_sphere, m_lights, m_index, m_share, m_before)
+    MI_TRAVERSE_CB(Base, m_radiance, m_sphere, m_lights, m_index, m_share, m_inv_share, m_before)
 };
 
 MI_EXPORT_PLUGIN(SphereCap)

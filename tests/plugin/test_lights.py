@@ -363,8 +363,12 @@ def test_weights_that_change(variant):
     other = scene([], beside={f"light{i}": light for i, light in enumerate(fresh)})
     again = sampled(other, it, u)
     np.testing.assert_allclose(again[1], pdf, rtol=1e-5)
-    # The second is never chosen.
+    # The second is never chosen, and a ray that meets it by chance has the whole weight.
     assert len(np.unique(index)) == 3
+    ds = mi.DirectionSample3f()
+    ds.d = dr.normalize(mi.Vector3f([x - y for x, y in zip(LIGHTS[1][0], (0.3, -0.3, 0), strict=True)]))
+    ds.n = -ds.d
+    assert dr.all(loaded.emitters()[1].pdf_direction(it, ds) == 0)
 
 
 def test_frozen(llvm_ad_rgb):
@@ -402,6 +406,32 @@ def test_lights_of_two_scenes(variant):
         # Mitsuba's choice: as often each.
         assert np.bincount(index[index >= 0], minlength=count).max() < 1.3 * len(u) / count
     assert np.bincount(before[0]).max() > 1.3 * len(u) / 3
+    # The others go on choosing among themselves.
+    third = mi.load_dict({"type": "scene", "a": shared[0], "b": sphere(*LIGHTS[1]), "c": sphere(*LIGHTS[3])})
+    index, pdf, asked, _, _ = sampled(third, it, u)
+    np.testing.assert_allclose(asked, pdf, rtol=3e-5)
+    counts = np.bincount(index[index >= 0], minlength=3) / len(u)
+    assert counts[0] == pytest.approx(1 / 3, abs=0.08)
+    assert counts[1] < 0.25 < 0.4 < counts[2]
+
+
+@pytest.mark.parametrize("name", ["scalar_spectral", "llvm_ad_spectral"])
+def test_a_line_of_a_spectrum(name):
+    """A light that is black at all wavelengths that are looked at is sampled all the same."""
+    mi.set_variant(name)
+    line = sphere(*LIGHTS[0])
+    line["emitter"]["radiance"] = {
+        "type": "irregular",
+        "wavelengths": "360, 551, 552, 553, 830",
+        "values": "0, 0, 100, 0, 0",
+    }
+    loaded = mi.load_dict({"type": "scene", "a": line, "b": sphere(*LIGHTS[1])})
+    index, pdf, asked, _, _ = sampled(
+        loaded, point((0.3, -0.3, 0)), np.random.default_rng(5).random((2000, 2))
+    )
+    np.testing.assert_allclose(asked, pdf, rtol=3e-5)
+    # Half of what goes evenly to all.
+    assert np.mean(index == 0) == pytest.approx(0.025, abs=0.012)
 
 
 def test_scenes_that_are_freed(variant):
