@@ -6,10 +6,10 @@
 //     renderer
 //     ./renderer projected independent 16 1 < scene.txt > image.pfm
 //
-// What a renderer has to do with the library is in `direct_light`; the rest is what every renderer has. The
-// scene is text, one thing per line: a word and its numbers (see `WORDS`), or a comment that starts with #.
-// The image is in the PFM format: a line each with "Pf", width and height, and -1 for little-endian; then
-// floats, rows from the bottom up.
+// What a renderer has to do with the library is in `choose_light` and `light_of`; the rest is what every
+// renderer has. The scene is text, one thing per line: a word and its numbers (see `WORDS`), or a comment
+// that starts with #. The image is in the PFM format: a line each with "Pf", width and height, and -1 for
+// little-endian; then floats, rows from the bottom up.
 
 #include "spherecap.h"
 
@@ -23,6 +23,8 @@ static const double PI = 3.14159265358979323846;
 // Directions come in single precision, so at grazing angles a shadow ray may cross its own surface within a
 // millionth.
 static const double RAY_START = 1e-6;
+// The part of the choice among lights that all share alike, for where the brightest are hidden.
+static const float EVEN = 0.02f;
 
 typedef struct {
     double x[3];
@@ -147,19 +149,45 @@ static int is_occluded(const scene_t *scene, const light_t *light, vec_t point, 
 
 // ---- Light ----
 
+// Chooses the light to sample at a point, by what each gives to it if nothing is in the way.
+static spherecap_choice_t choose_light(const scene_t *scene, const spherecap_receiver_t *receiver,
+                                       vec_t point, float u) {
+    // As seen from the point: subtracted in double precision, and then what `light_of` hands on.
+    float centre[3][MOST], radius[MOST], strength[MOST], importances[MOST];
+    for (int i = 0; i < scene->light_count; ++i) {
+        const light_t *light = &scene->lights[i];
+        for (int k = 0; k < 3; ++k) {
+            centre[k][i] = (float)(light->centre.x[k] - point.x[k]);
+        }
+        radius[i] = (float)light->radius;
+        strength[i] = (float)light->radiance;
+    }
+    const size_t count = (size_t)scene->light_count;
+    const spherecap_lights_t lights = {count, {centre[0], centre[1], centre[2]}, radius, strength};
+    static const float here[3] = {0, 0, 0};
+    spherecap_total_t total;
+    spherecap_choice_t choice;
+    uint32_t status = spherecap_importances(receiver, here, &lights, importances, &total);
+    if (status == SPHERECAP_STATUS_OK) {
+        status = spherecap_choose(importances, count, &total, EVEN, u, &choice);
+    }
+    if (status != SPHERECAP_STATUS_OK) {
+        fail("no light can be chosen: ", spherecap_status_message(status));
+    }
+    return choice;
+}
+
 // Estimates with one shadow ray what a light adds to the radiance that a Lambertian surface reflects. The
-// normal is of unit length, on the side that is looked at; u0 and u1 are random numbers in [0, 1).
-static double direct_light(const scene_t *scene, const light_t *light, uint32_t technique, vec_t point,
-                           vec_t normal, double albedo, float u0, float u1) {
-    spherecap_receiver_t receiver = {{0, 0, 0}, technique, SPHERECAP_HEMISPHERES_FRONT, 0};
+// receiver's normal is of unit length, on the side that is looked at; u0 and u1 are random numbers in [0, 1].
+static double light_of(const scene_t *scene, const light_t *light, const spherecap_receiver_t *receiver,
+                       vec_t point, double albedo, float u0, float u1) {
     float centre[3];
     for (int i = 0; i < 3; ++i) {
-        receiver.normal[i] = (float)normal.x[i];
         centre[i] = (float)(light->centre.x[i] - point.x[i]);
     }
     spherecap_sampler_t sampler;
     spherecap_sample_t sample;
-    uint32_t status = spherecap_prepare(&receiver, centre, (float)light->radius, &sampler);
+    uint32_t status = spherecap_prepare(receiver, centre, (float)light->radius, &sampler);
     if (status == SPHERECAP_STATUS_INVISIBLE || status == SPHERECAP_STATUS_INSIDE) {
         return 0; // below the horizon, or around the point: a light that lights nothing here
     }
@@ -201,11 +229,17 @@ static double radiance(const scene_t *scene, uint32_t technique, vec_t origin, v
         normal = add((vec_t){{0, 0, 0}}, -1, normal);
     }
     const vec_t point = add(origin, nearest, direction);
-    double sum = 0;
-    for (int i = 0; i < scene->light_count; ++i) {
-        sum += direct_light(scene, &scene->lights[i], technique, point, normal, shape->albedo, u0, u1);
+    spherecap_receiver_t receiver = {{0, 0, 0}, technique, SPHERECAP_HEMISPHERES_FRONT, 0};
+    for (int i = 0; i < 3; ++i) {
+        receiver.normal[i] = (float)normal.x[i];
     }
-    return sum;
+    const spherecap_choice_t choice = choose_light(scene, &receiver, point, u0);
+    if (choice.probability == 0) {
+        return 0; // no light gives anything here
+    }
+    const light_t *light = &scene->lights[choice.index];
+    // What is left of the number that chose is random again.
+    return light_of(scene, light, &receiver, point, shape->albedo, choice.rest, u1) / choice.probability;
 }
 
 // ---- Random numbers ----
