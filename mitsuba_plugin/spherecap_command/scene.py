@@ -18,7 +18,7 @@ BUILT_IN = "area"
 OURS = "spherecap"
 
 # What `area` does not know. Mitsuba refuses parameters that nobody asks for.
-OWN_PARAMETERS = ("technique", "hemispheres", "defensive")
+OWN_PARAMETERS = ("technique", "hemispheres", "defensive", "lights")
 
 
 def use_variant(variant: str) -> None:

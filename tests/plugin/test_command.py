@@ -10,7 +10,7 @@ import mitsuba as mi
 import numpy as np
 import pytest
 from spherecap_command.__main__ import main
-from spherecap_command.scene import BUILT_IN, OURS, ParsedScene, use_variant
+from spherecap_command.scene import BUILT_IN, OURS, OWN_PARAMETERS, ParsedScene, use_variant
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 
@@ -210,6 +210,19 @@ def test_compare_in_other_variants(tmp_path: Path, variant: str, capsys: pytest.
     assert main([*command, "--output", str(output)]) == 0
     assert variant in capsys.readouterr().out
     assert (output / "spherecap-1spp.exr").exists()
+
+
+def test_compare_takes_off_what_area_does_not_know(tmp_path: Path) -> None:
+    """All of our own parameters, on the lights of a scene."""
+    parameters = (
+        '<string name="technique" value="solid_angle"/><string name="hemispheres" value="both"/>'
+        '<float name="defensive" value="0.5"/><string name="lights" value="one"/>'
+    )
+    assert all(f'"{name}"' in parameters for name in OWN_PARAMETERS)
+    light = SPHERE.replace('<emitter type="area"/>', f'<emitter type="spherecap">{parameters}</emitter>')
+    (tmp_path / "a.xml").write_text(small_scene(2 * light))
+    command = ["compare", str(tmp_path / "a.xml"), "--spp", "1", "--reference", "8"]
+    assert main([*command, "--output", str(tmp_path / "out")]) == 0
 
 
 def test_info(capsys: pytest.CaptureFixture) -> None:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import tomllib
 from spherecap_command.__main__ import _arguments as command_line
+from spherecap_command.scene import OWN_PARAMETERS
 
 REPOSITORY = Path(__file__).parents[2]
 README = REPOSITORY / "README.md"
@@ -65,6 +66,8 @@ def test_the_guides_parameters_are_the_emitters(scalar_rgb: None) -> None:
         "lights": "all",
     }
     assert defaults == expected
+    # `area` has the radiance, too; the rest is taken off where the command puts an `area` in its place.
+    assert {"radiance", *OWN_PARAMETERS} == set(expected)
     text = str(mi.load_dict({"type": "sphere", "emitter": {"type": "spherecap"}}).emitter())
     meanings = {name: meaning for name, _, _, meaning in rows}
     automatic = re.search(r"else `([\d.]+)`", meanings["defensive"])[1]
