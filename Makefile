@@ -32,7 +32,7 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross test test-rust prepare-test-python test-python test-mitsubas cuda-check test-long lint format build library install \
+.PHONY: help demo cross lights test test-rust prepare-test-python test-python test-mitsubas cuda-check test-long lint format build library install \
     uninstall doc package msrv valgrind header accuracy bench instructions report fits picture clean FORCE
 
 help: ## List the targets.
@@ -45,6 +45,9 @@ demo: build ## Render SCENE with `area` and with `spherecap`; print a table, sav
 cross: ## Compare several renderers.
 	$(MAKE) --jobs=2 build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed .venv-cycles/installed
 	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m cross
+
+lights: build ## What the choice among several lights gains: a table of equal-time ratios.
+	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/many_lights.py
 
 # What Python's tests need is built and downloaded while Rust's tests run.
 test: lint ## Run all tests.
