@@ -177,7 +177,7 @@ def measure(scene: Scene, width: int, spp: int, seeds: int) -> dict[str, tuple[f
     seconds = dict.fromkeys(EMITTERS, np.inf)
     for seed in range(seeds):
         for name, emitter in EMITTERS.items():
-            # One scene at a time: JIT variants compile all emitters that there are.
+            # One scene at a time: JIT variants trace, in every render, all emitters that there are.
             loaded = scene.load(emitter, width, spp)
             render_stack(loaded, spp, range(seeds, seeds + 1))  # Compilation does not count.
             start = time.process_time()
