@@ -292,7 +292,7 @@ def test_many_lights(llvm_ad_rgb, count):
     """Each costs time, and takes none of the precision."""
     renders = 16 if count < 100 else 8
     ours = means(scene(random_lights(count)), renders, spp=16)
-    theirs = means(scene(random_lights(count), "area"), renders, spp=1024, first=100)
+    theirs = means(scene(random_lights(count), "area"), renders, spp=4096, first=100)
     assert_same_mean(ours, theirs)
 
 
