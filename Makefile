@@ -33,7 +33,7 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
 
 .DEFAULT_GOAL := help
 .PHONY: help demo cross lights test test-rust prepare-test-python test-python test-mitsubas cuda-check test-long lint format build library install \
-    uninstall doc package msrv valgrind header accuracy bench instructions report fits picture clean FORCE
+    uninstall doc package msrv valgrind header accuracy hashes bench instructions report fits picture clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -197,7 +197,11 @@ test-mitsubas: build $(MITSUBAS) ## The plugin with other releases of Mitsuba: l
 cuda-check: build library ## Pack .cuda/, which checks the CUDA variants on a machine with a GPU.
 	tools/cuda/prepare
 
-test-long: ## The random tests, with many more inputs than in `make test`: about ten minutes.
+hashes: ## Remake tests/data/hashes.txt from what the kernels give, where formulas changed.
+	SPHERECAP_WRITE_HASHES=1 cargo test --release --locked --lib hashes
+
+test-long: ## The random tests and the hashes, with many more inputs than in `make test`: about ten minutes.
+	SPHERECAP_LONG_HASHES=1 cargo test --release --locked --lib hashes
 	PROPTEST_CASES=20000000 cargo test --release --locked --test strata
 	SPHERECAP_FUZZ_TRIALS=100000000 cargo test --release --locked --test c_abi numbers_of_every_kind
 

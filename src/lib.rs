@@ -51,6 +51,8 @@ mod compensated;
 mod disk;
 mod ffi;
 mod fits;
+#[cfg(test)]
+mod hashes;
 mod importance;
 mod lane;
 pub mod lights;
