@@ -50,7 +50,7 @@ pub(crate) fn polynomial_and_difference<L: Lane>(x: L, y: L, coefficients: &[f64
     (odd.fma(x, even), y.fma(odd_difference, even_difference).fma(sum, odd))
 }
 
-/// Value and divided difference of the polynomial with the coefficients 0, 2, 4, ...
+/// Of the polynomial with every other coefficient.
 #[inline(always)]
 fn horner_and_difference<L: Lane>(x: L, y: L, coefficients: &[f64]) -> (L, L) {
     let (mut value, mut difference) = (L::lit(0.0), L::lit(0.0));

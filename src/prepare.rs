@@ -233,7 +233,7 @@ pub(crate) fn is_bad<L: Lane>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L
 }
 
 impl<L: Lane> Sampler<L> {
-    /// [`Sampler::prepare`] for any lane: the mask says where it would succeed. Other lanes are unspecified.
+    /// [`Sampler::prepare`] for any lane: the mask says where it would succeed. Elsewhere, nothing about the sampler holds.
     ///
     /// Fewer tests than there are refusals: a point inside, and a radius or a centre that is not finite, leave nothing to
     /// sample or no distance.

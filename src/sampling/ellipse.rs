@@ -8,7 +8,7 @@
 //! `s X (e - xi) = s X (1 - xi) - rise`. The offset towards the zenith, `X z - Z x`, is `X (z - Z v) - s Z^2 xi` with
 //! `z - Z v = s (X xi (s X xi - 2 Z v) + s (1 - xi^2 - eta^2)) / (z + Z v)`.
 
-use super::{interior, Place};
+use super::interior;
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, DiskPoint};
 use crate::lane::{branch, lit, Lane};
@@ -27,7 +27,7 @@ pub(super) struct Ellipse<L> {
 
 /// The direction for a point of the unit disk on this side of the chord, as if the centre were above the horizon.
 #[inline(always)]
-pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Place<L> {
+pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
     let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
     let xi = lit(1.0) - point.from_edge;
     let rest = point.chord2 * point.across_complement;
@@ -37,8 +37,7 @@ pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Place<L> {
     let zv = z_centre * cap.radius_cos;
     let climb = (x * xi).fma((s * x).fma(xi, lit(-2.0) * zv), s * rest) / (cosine + zv);
     let zenith = s * x.fma(climb, -(z_centre * z_centre * xi));
-    let along = (s * z_centre).fma(xi, x * cap.radius_cos);
-    Place { along, up: cosine, offset: Offset { zenith, side, cosine } }
+    Offset { zenith, side, cosine }
 }
 
 impl<L: Lane> Ellipse<L> {
@@ -55,12 +54,12 @@ impl<L: Lane> Ellipse<L> {
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let c = &cap.crescent;
         let (crescent_share, inv_rest, beyond) = branch!(
-            is_used & c.exists() & zero.lt(inv_area),
+            is_used & zero.lt(c.tau) & zero.lt(inv_area),
             {
                 let share = c.t_y_cubed() * c.shape * inv_area;
                 // Sine of half the angle that the horizon cuts off the boundary circle: tau / X.
-                let half_sine = c.t_y / cap.radius_sin;
-                (share, one / (one - share), half_sine * half_sine * half_sine * c.shape_cut())
+                let half_sine = c.t_y * cap.inv_radius_sin;
+                (share, one / (one - share), half_sine * half_sine * half_sine * c.shape_cut)
             },
             (zero, one, zero)
         );
@@ -86,7 +85,7 @@ impl<L: Lane> Ellipse<L> {
         let radius2 = offset.side.fma(offset.side, offset.cosine * offset.cosine);
         let by_radius = c.t_y.fma(c.t_y, -radius2) * ((lit(1.0) - radius2).max(zero).sqrt() + c.t_x);
         let by_zenith = z * (x.fma(offset.cosine, -offset.zenith) - z * c.t_x);
-        let is_beyond = c.exists() & zero.lt(by_radius + by_zenith);
+        let is_beyond = zero.lt(c.tau) & zero.lt(by_radius + by_zenith);
         is_behind | !is_beyond
     }
 

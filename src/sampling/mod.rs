@@ -20,7 +20,7 @@ use crate::disk::{
     areas_of_chord, cube_of_power, from_edge, height_per_power, power_per_height, shape_and_difference,
     square_to_disk, symmetric, two_thirds_power, DiskPoint,
 };
-use crate::lane::{blend_fields, branch, fork, lit, Blend, Lane};
+use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 use crate::prepare::is_unit;
 use crate::vec3::Vec3;
@@ -239,24 +239,9 @@ pub struct Sampler<L> {
     inv_below: L,
     /// Probability of the side above the horizon.
     share_above: L,
-    /// With the cap's sideways vector between them, a right-handed frame: see [`follows_surface`].
-    along: Vec3<L>,
-    up: Vec3<L>,
-    whole: solid_angle::Whole<L>,
     ellipse: ellipse::Ellipse<L>,
     marginal: crescent::Marginal<L>,
 }
-
-/// A direction that was placed in the cap.
-#[derive(Clone, Copy)]
-struct Place<L> {
-    /// Its components on the sampler's axes but the one sideways.
-    along: L,
-    up: L,
-    /// In the cap's own frame; its `side` is the component sideways.
-    offset: Offset<L>,
-}
-blend_fields!(Place { along, up, offset });
 
 impl<L: Lane> Sampler<L> {
     /// Prepares a cap for sampling.
@@ -304,15 +289,6 @@ impl<L: Lane> Sampler<L> {
                 crescent::Marginal::new(&cap, uses_crescent),
             ),
         };
-        let whole = match technique {
-            Technique::SolidAngle => solid_angle::Whole::new(&cap),
-            _ => branch!(zero.lt(defensive), solid_angle::Whole::new(&cap), solid_angle::Whole::unused()),
-        };
-        let (along, up) = if follows_surface::<L>(technique) {
-            (cap.sideways.cross_of_distinct(cap.up), cap.up)
-        } else {
-            (cap.towards_centre, cap.towards_zenith())
-        };
         let share_above = match hemispheres {
             Hemispheres::Front => L::lit(1.0),
             // A side with nothing on it (that can be weighed) gets no samples.
@@ -331,9 +307,6 @@ impl<L: Lane> Sampler<L> {
             inv_above,
             inv_below,
             share_above,
-            along,
-            up,
-            whole,
             ellipse,
             marginal,
         }
@@ -343,7 +316,7 @@ impl<L: Lane> Sampler<L> {
     #[inline(always)]
     pub fn is_empty(&self) -> L::Mask {
         let zero = L::lit(0.0);
-        let plain = zero.lt(self.defensive) & zero.lt(self.whole.inv_solid_angle);
+        let plain = zero.lt(self.defensive) & zero.lt(self.cap.solid_angle);
         !(zero.lt(self.inv_above + self.inv_below) | plain)
     }
 
@@ -361,47 +334,22 @@ impl<L: Lane> Sampler<L> {
     #[inline(always)]
     pub fn sample(&self, u0: L, u1: L) -> Sample<L> {
         let (u0, u1) = (interior(u0), interior(u1));
-        let Place { along, up, offset } = match self.technique {
+        let offset = match self.technique {
             Technique::SolidAngle => {
-                let (along, offset) = self.whole.place(&self.cap, square_to_disk(u0, u1));
-                Place { along, up: offset.zenith, offset }
+                let point = square_to_disk(u0, u1);
+                solid_angle::place(&self.cap, point)
             }
             _ => self.sample_mixture(u0, u1),
         };
         let density = self.pdf_in_cap(offset);
-        let (centre, distance, normal) = self.cap.hit(offset);
-        let direction = if follows_surface::<L>(self.technique) || self.technique == Technique::SolidAngle {
-            self.vector(along, offset.side, up)
-        } else {
-            self.vector(centre, offset.side, offset.zenith)
-        };
-        let [centre, zenith, side] = normal;
-        let [along, up] = self.along_and_up(centre, zenith);
-        let normal = self.vector(along, side, up);
-        Sample { offset, direction, distance: distance * self.cap.distance, normal, density }
-    }
-
-    /// The vector with these components on the sampler's axes.
-    #[inline(always)]
-    fn vector(&self, along: L, side: L, up: L) -> Vec3<L> {
-        Vec3::combine([self.along, self.cap.sideways, self.up], [along, side, up])
-    }
-
-    /// Components on the sampler's axes, from those towards the centre and the zenith.
-    #[inline(always)]
-    fn along_and_up(&self, centre: L, zenith: L) -> [L; 2] {
-        let (x, z) = (self.cap.elevation_cos, self.cap.elevation_sin);
-        if follows_surface::<L>(self.technique) {
-            [x.fma(centre, -(z * zenith)), z.fma(centre, x * zenith)]
-        } else {
-            [centre, zenith]
-        }
+        let (direction, distance, normal) = self.cap.hit(offset);
+        Sample { offset, direction, distance, normal, density }
     }
 
     /// A direction by solid angle or by the projected technique, on one side or both: `u0` chooses, and what is left of it is
     /// used again.
     #[inline(always)]
-    fn sample_mixture(&self, u0: L, u1: L) -> Place<L> {
+    fn sample_mixture(&self, u0: L, u1: L) -> Offset<L> {
         let one = L::lit(1.0);
         let is_plain = u0.lt(self.defensive);
         let u0 = branch!(L::lit(0.0).lt(self.requested), left_over(u0, self.defensive, is_plain), u0);
@@ -414,12 +362,10 @@ impl<L: Lane> Sampler<L> {
                 // The centre's side is the one where both or neither are above.
                 let centre_side = (above & centre_above) | (!above & !centre_above);
                 let u0 = L::select(is_plain, u0, side_u0);
-                let Place { along, up, offset } = self.sample_part(is_plain, centre_side, u0, u1);
+                let Offset { zenith, side, cosine } = self.sample_part(is_plain, centre_side, u0, u1);
                 // Below the horizon all is mirrored.
                 let sign = L::select(above, one, -one);
-                let Offset { zenith, side, cosine } = offset;
-                let offset = Offset { zenith: zenith * sign, side, cosine: cosine * sign };
-                Place { along, up: up * sign, offset }
+                Offset { zenith: zenith * sign, side, cosine: cosine * sign }
             }
         }
     }
@@ -427,7 +373,7 @@ impl<L: Lane> Sampler<L> {
     /// A direction in the whole cap by solid angle, or on the side of the horizon where the centre is, or on the other as if
     /// that side were above.
     #[inline(always)]
-    fn sample_part(&self, is_plain: L::Mask, centre_side: L::Mask, u0: L, u1: L) -> Place<L> {
+    fn sample_part(&self, is_plain: L::Mask, centre_side: L::Mask, u0: L, u1: L) -> Offset<L> {
         let cap = &self.cap;
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let share = self.ellipse.crescent_share;
@@ -437,8 +383,7 @@ impl<L: Lane> Sampler<L> {
         // The disk and the slices of the crescent are measured by the same segments: what they share is written once, so
         // that packets and graphs, which may follow both sides, pay for it once. Of its own the disk has which side of its
         // middle a point is on, and a slice has its m.
-        fork!(
-            L,
+        let ([cube, scale, g2], own) = branch!(
             is_disk,
             {
                 let ellipse = &self.ellipse;
@@ -454,39 +399,29 @@ impl<L: Lane> Sampler<L> {
                     _ => bounded::slice(cap, centre_side, share, u0, across_complement),
                 };
                 ([u0, end * power_per_height(g2 * end), g2], m)
+            }
+        );
+        // Heights over g2, so that thin slices keep their digits.
+        let k = scale * two_thirds_power(cube);
+        let h1 = k * height_per_power(k * g2);
+        // The middle of the disk is as far as its segments go.
+        let h1 = branch!(is_disk, h1.min(one), h1);
+        let h = g2 * h1;
+        let chord2 = h1 * (lit(2.0) - h);
+        let chord = chord2.sqrt();
+        branch!(
+            is_disk,
+            {
+                let from_edge = from_edge(h, own.lt(zero));
+                let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
+                branch!(is_plain, solid_angle::place(cap, point), ellipse::place(cap, point))
             },
-            ([cube, scale, g2], own) => {
-            // Heights over g2, so that thin slices keep their digits.
-            let k = scale * two_thirds_power(cube);
-            let h1 = k * height_per_power(k * g2);
-            // The middle of the disk is as far as its segments go.
-            let h1 = branch!(is_disk, h1.min(one), h1);
-            let h = g2 * h1;
-            let chord2 = h1 * (lit(2.0) - h);
-            let chord = chord2.sqrt();
-            branch!(
-                is_disk,
-                {
-                    let from_edge = from_edge(h, own.lt(zero));
-                    let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
-                    branch!(
-                        is_plain,
-                        {
-                            let (centre, offset) = self.whole.place(cap, point);
-                            let [along, up] = self.along_and_up(centre, offset.zenith);
-                            Place { along, up, offset }
-                        },
-                        ellipse::place(cap, point)
-                    )
-                },
-                {
-                    let (side, cosine) = (chord * across, chord * own);
-                    match self.technique {
-                        Technique::Projected => crescent::place(cap, centre_side, h, side, cosine),
-                        _ => bounded::place(cap, centre_side, h, side, cosine),
-                    }
+            {
+                let (side, cosine) = (chord * across, chord * own);
+                match self.technique {
+                    Technique::Projected => crescent::offset(cap, centre_side, h, side, cosine),
+                    _ => bounded::place(cap, centre_side, h, side, cosine),
                 }
-            )
             }
         )
     }
@@ -553,11 +488,12 @@ impl<L: Lane> Sampler<L> {
     #[inline(always)]
     pub fn pdf_in_cap(&self, offset: Offset<L>) -> Density<L> {
         let zero = L::lit(0.0);
+        let cap = &self.cap;
         // An empty cap's samples may have none, and the density 0 yet.
         let cosine = offset.cosine.abs().min(L::lit(L::MAX));
         let weight =
             if self.technique == Technique::SolidAngle { zero } else { self.projected_density(offset) };
-        // The mixture's arithmetic is skipped where there is no solid-angle part.
+        // What most samplers do without.
         let is_mixed = match self.technique {
             Technique::SolidAngle => zero.le(zero),
             _ => zero.lt(self.defensive),
@@ -565,7 +501,7 @@ impl<L: Lane> Sampler<L> {
         let (solid_angle, projected_solid_angle) = branch!(
             is_mixed,
             {
-                let plain = self.defensive * self.whole.inv_solid_angle;
+                let plain = self.defensive * cap.inv_solid_angle;
                 let plain_projected = (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX));
                 let rest = lit(1.0) - self.defensive;
                 (weight.fma(rest * cosine, plain), weight.fma(rest, plain_projected).min(L::lit(L::MAX)))
@@ -594,7 +530,7 @@ impl<L: Lane> Sampler<L> {
         let cap = &self.cap;
         let centre_above = zero.lt(cap.elevation_sin);
         let centre_side = (above & centre_above) | (below & !centre_above);
-        let is_warped = zero.lt(weight) & cap.crescent.exists() & !centre_side;
+        let is_warped = zero.lt(weight) & zero.lt(cap.crescent.tau) & !centre_side;
         // Beside a crescent so thin that it is hardly a number, the warp has a slope that is none.
         (weight * branch!(is_warped, bounded::relative_density(cap, offset), L::lit(1.0))).min(L::lit(L::MAX))
     }
@@ -632,7 +568,7 @@ impl<L: Lane> Sampler<L> {
     pub fn invert(&self, offset: Offset<L>) -> [L; 2] {
         let zero = L::lit(0.0);
         let cap = &self.cap;
-        let plain = || self.whole.invert(cap, offset);
+        let plain = || solid_angle::invert(cap, offset);
         let [u0, u1] = match self.technique {
             Technique::SolidAngle => plain(),
             _ => {
@@ -692,27 +628,11 @@ impl<L: Lane> Sampler<L> {
     /// outside the cap.
     #[inline(always)]
     pub fn offset(&self, direction: impl Into<[L; 3]>) -> Offset<L> {
-        let direction = Vec3::from(direction.into());
-        let centre = self.cap.towards_centre.dot(direction);
-        let (zenith, side) = (self.cap.towards_zenith().dot(direction), self.cap.sideways.dot(direction));
-        let cosine = self.cap.normal.dot(direction);
-        // The offset of the direction's mirror image behind the point would be the same.
-        let behind = centre.lt(L::lit(0.0));
-        let outside = Offset { zenith: L::lit(1.0), side: L::lit(1.0), cosine };
-        Offset::blend(behind, outside, Offset { zenith, side, cosine })
+        self.cap.offset(direction.into().into())
     }
 }
 
-/// Whether the axes that a sampler puts directions together on are those of the surface (along it towards the centre, and its
-/// normal), where the projected techniques find a point. Else they are those of the cap (towards the centre, and towards the
-/// zenith), where sampling by solid angle does; and so in double precision, where a normal may be of unit length to single
-/// precision only, which must not show in the directions.
-#[inline(always)]
-fn follows_surface<L: Lane>(technique: Technique) -> bool {
-    L::SIGNIFICAND_BITS == 23 && technique != Technique::SolidAngle
-}
-
-/// Moves a random number off the ends of \[0, 1\], by less than the spacing of 24-bit random numbers.
+/// Moves a random number off the ends of \[0, 1\], by less than two random numbers are apart.
 #[inline(always)]
 fn interior<L: Lane>(u: L) -> L {
     let margin = 0.5 * L::EPSILON;
@@ -737,14 +657,14 @@ fn share_above<L: Lane>(cap: &Cap<L>) -> L {
     let one = L::lit(1.0);
     let centre_above = L::lit(0.0).lt(cap.elevation_sin);
     let crescent_share = branch!(
-        cap.crescent.exists(),
+        L::lit(0.0).lt(cap.crescent.tau),
         {
             let c = &cap.crescent;
             let inv_x2 = lit(1.0) / (cap.elevation_cos * cap.elevation_cos);
             let m = c.tau * c.tau * inv_x2 / (lit(1.0) + c.t_x);
             let (_, difference) = shape_and_difference(c.kappa, c.cut);
             let bracket =
-                (c.kappa * m).fma(difference, c.shape_cut().fma(m - c.kappa * c.kappa, c.kappa) * inv_x2);
+                (c.kappa * m).fma(difference, c.shape_cut.fma(m - c.kappa * c.kappa, c.kappa) * inv_x2);
             let share = c.tau * c.tau * c.tau * (cap.radius_cos + lit(1.0)) * bracket * lit(1.0 / PI);
             share.max(L::lit(0.0)).min(L::lit(0.5))
         },
