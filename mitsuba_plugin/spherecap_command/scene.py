@@ -141,7 +141,7 @@ def _change(node: "mi.parser.SceneNode", emitter: str) -> None:
     if emitter == BUILT_IN:
         for name in OWN_PARAMETERS:
             if name in node.props:
-                node.props.remove_property(name)
+                del node.props[name]
 
 
 @contextlib.contextmanager
