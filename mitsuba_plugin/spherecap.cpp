@@ -561,6 +561,7 @@ private:
         }
         if constexpr (dr::is_diff_v<Float>)
             may_be_black &= !dr::grad_enabled(radiance); // else it is sampled to find out what it should be
+        // However little: it then has a part in what is shared evenly.
         if (!may_be_black)
             strength = dr::maximum(strength, 1e-20f);
         m_lights->update(m_place, m_index, m_sphere, radiance, strength * m_sampling_weight);

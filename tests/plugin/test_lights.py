@@ -133,6 +133,7 @@ def test_choice_and_direction_together(variant, weights):
     u = np.random.default_rng(5).random((count, 2))
     index, pdf, asked, d, weight = sampled(loaded, point((0.3, -0.3, 0)), u)
     assert (pdf > 0).all()
+    # It is asked for by a direction, whose rounding is some 1e-6 of the cosine here, and some more at a limb.
     np.testing.assert_allclose(asked, pdf, rtol=3e-5)
     for i, (center, radius, radiance) in enumerate(LIGHTS):
         axis = np.array(center) - [0.3, -0.3, 0]
@@ -190,16 +191,19 @@ def means(loaded, renders=16, spp=64, first=0):
     return images[..., :3].reshape(n, 3, h // 3, 3, w // 3, min(c, 3)).mean((2, 4)).reshape(n, -1)
 
 
-def assert_same_mean(ours, theirs, scores=5):
-    """All blocks agree, and the whole; an image that is 1 % dimmer would not, if the noise allows to tell."""
+def assert_same_mean(ours, theirs, tells=0.015):
+    """All blocks agree, and the whole does; a whole that is dimmer by the part `tells` would be refused.
+
+    To 5 standard errors for each of 27 numbers, and 4.5 for one: by chance beyond in 1 of 200 tests.
+    """
     error = np.sqrt(ours.var(0, ddof=1) / len(ours) + theirs.var(0, ddof=1) / len(theirs))
-    assert (np.abs(ours.mean(0) - theirs.mean(0)) <= scores * error + 1e-4 * theirs.mean()).all()
+    assert (np.abs(ours.mean(0) - theirs.mean(0)) <= 5 * error + 1e-4 * theirs.mean()).all()
     whole = [a.mean(1) for a in (ours, theirs)]
     error = np.sqrt(sum(a.var(ddof=1) / len(a) for a in whole))
     difference = abs(whole[0].mean() - whole[1].mean())
     print(f"{whole[0].mean():.5f} {whole[1].mean():.5f} +- {error:.5f}")
-    assert difference <= scores * error
-    assert error < 0.01 * whole[1].mean()
+    assert difference <= 4.5 * error
+    assert abs((1 - tells) * whole[0].mean() - whole[1].mean()) > 4.5 * error
 
 
 def bumps(bsdf):
@@ -262,8 +266,8 @@ def test_images_are_those_of_area(llvm_ad_rgb, lights, beside):
     chosen = LIGHTS if lights == "plain" else HARD
     spp = 512 if beside == "fog" or lights == "hard" else 256
     ours = means(scene(chosen, "spherecap", integrator, BESIDE[beside]()), spp=spp)
-    theirs = means(scene(chosen, "area", integrator, BESIDE[beside]()), spp=4 * spp, first=100)
-    assert_same_mean(ours, theirs)
+    theirs = means(scene(chosen, "area", integrator, BESIDE[beside]()), spp=8 * spp, first=100)
+    assert_same_mean(ours, theirs, tells=0.02)
 
 
 @pytest.mark.parametrize("integrator", ["direct", "path", "prb", "volpath", "volpathmis", "ptracer"])
@@ -272,7 +276,7 @@ def test_integrators(llvm_ad_rgb, integrator):
     options = {"type": integrator} if integrator == "direct" else {"type": integrator, "max_depth": 3}
     spp = 1024 if integrator == "ptracer" else 256
     ours = means(scene(LIGHTS, "spherecap", {**options, "hide_emitters": True}), spp=spp)
-    theirs = means(scene(LIGHTS, "area", {**options, "hide_emitters": True}), spp=4 * spp, first=100)
+    theirs = means(scene(LIGHTS, "area", {**options, "hide_emitters": True}), spp=8 * spp, first=100)
     assert_same_mean(ours, theirs)
 
 
@@ -281,10 +285,10 @@ def test_variants(name):
     """One by one and compiled, with colours, wavelengths and polarisation."""
     mi.set_variant(name)
     compiled = name.startswith("llvm")
-    spp = (256, 1024) if compiled else (32, 128)
+    spp = (256, 2048) if compiled else (32, 128)
     ours = means(scene(LIGHTS), spp=spp[0])
     theirs = means(scene(LIGHTS, "area"), spp=spp[1], first=100)
-    assert_same_mean(ours, theirs)
+    assert_same_mean(ours, theirs, tells=0.015 if compiled else 0.05)
 
 
 @pytest.mark.parametrize("count", [2, 10, 100, 400])
@@ -293,7 +297,7 @@ def test_many_lights(llvm_ad_rgb, count):
     renders = 16 if count < 100 else 8
     ours = means(scene(random_lights(count)), renders, spp=16)
     theirs = means(scene(random_lights(count), "area"), renders, spp=4096, first=100)
-    assert_same_mean(ours, theirs)
+    assert_same_mean(ours, theirs, tells=0.05)
 
 
 def render(loaded):
