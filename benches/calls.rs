@@ -7,7 +7,7 @@ use crate::published::Published;
 use crate::scenes::Scene;
 use spherecap::batch::{Batch, Instructions, Samples};
 use spherecap::{
-    Cap, Density, Hemispheres, Lane, Offset, Receiver, Sampler, Scalar, Strategy, Technique, Vec3,
+    Cap, Density, Hemispheres, Lane, Offset, Receiver, Sample, Sampler, Scalar, Strategy, Technique, Vec3,
 };
 use std::hint::black_box;
 
@@ -48,7 +48,9 @@ calls! {
         *sampler = Sampler::new(cap(scene), *strategy);
     }
     fn prepare_and_sample<F, TECHNIQUE>(scene: &[F; 7], u0: F, u1: F) -> (Vec3<F>, F) {
-        let sample = Sampler::new(cap(scene), strategy(TECHNIQUES[TECHNIQUE].1)).sample(u0, u1);
+        let [nx, ny, nz, cx, cy, cz, radius] = *scene;
+        let strategy = strategy(TECHNIQUES[TECHNIQUE].1);
+        let sample = Sample::once([nx, ny, nz], [cx, cy, cz], radius, strategy, u0, u1);
         (sample.direction, sample.density.solid_angle)
     }
     fn sample<F>(sampler: &Sampler<F>, u0: F, u1: F) -> (Vec3<F>, F) {

@@ -339,6 +339,27 @@ uint32_t spherecap_sample(const struct spherecap_sampler_t *sampler,
                           float u1,
                           struct spherecap_sample_t *sample);
 
+// The sample of a sphere that is sampled once, for the caller who draws one at each point: what `spherecap_prepare` and
+// `spherecap_sample` would give, to the bit, at a smaller cost, since nothing is kept for other samples.
+//
+// Stores the sample, or zeros (so a density of 0) on failure. Errors: those of `spherecap_prepare`.
+uint32_t spherecap_sample_once(const struct spherecap_receiver_t *receiver,
+                               const float *centre,
+                               float radius,
+                               float u0,
+                               float u1,
+                               struct spherecap_sample_t *sample);
+
+// The density of a unit direction towards a sphere for which only this one is asked: what `spherecap_prepare` and
+// `spherecap_pdf_on_sphere` would give, to the bit. For multiple importance sampling, where a ray has hit the sphere.
+//
+// Stores the density, or zeros on failure. Errors: those of `spherecap_prepare`, and DIRECTION.
+uint32_t spherecap_pdf_once(const struct spherecap_receiver_t *receiver,
+                            const float *centre,
+                            float radius,
+                            const float *direction,
+                            struct spherecap_density_t *density);
+
 // Density of the direction with this offset; zero outside the cap and where nothing is sampled. For an offset from
 // `spherecap_sample`: the very bits that it stored.
 //
@@ -527,6 +548,21 @@ uint32_t spherecap_sample_f64(const struct spherecap_sampler_f64_t *sampler,
                               double u0,
                               double u1,
                               struct spherecap_sample_f64_t *sample);
+
+// `spherecap_sample_once` in double precision.
+uint32_t spherecap_sample_once_f64(const struct spherecap_receiver_f64_t *receiver,
+                                   const double *centre,
+                                   double radius,
+                                   double u0,
+                                   double u1,
+                                   struct spherecap_sample_f64_t *sample);
+
+// `spherecap_pdf_once` in double precision.
+uint32_t spherecap_pdf_once_f64(const struct spherecap_receiver_f64_t *receiver,
+                                const double *centre,
+                                double radius,
+                                const double *direction,
+                                struct spherecap_density_f64_t *density);
 
 // `spherecap_pdf` in double precision.
 uint32_t spherecap_pdf_f64(const struct spherecap_sampler_f64_t *sampler,

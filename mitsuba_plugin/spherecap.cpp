@@ -440,10 +440,12 @@ private:
             ds.dist = dr::get<2>(drawn);
             ds.pdf = dr::get<3>(drawn);
         } else {
-            spherecap_sampler_t sampler;
             spherecap_sample_t drawn;
-            if (!active || !prepare(sphere, it, sampler) ||
-                spherecap_sample(&sampler, sample.x(), sample.y(), &drawn) != SPHERECAP_STATUS_OK)
+            const spherecap_receiver_t receiver = strategy().receiver(it.n);
+            const Vector3f c = sphere.center - it.p;
+            const float center[3] = {c.x(), c.y(), c.z()};
+            if (!active || spherecap_sample_once(&receiver, center, sphere.radius, sample.x(), sample.y(),
+                                                 &drawn) != SPHERECAP_STATUS_OK)
                 return ds;
             ds.n = Normal3f(drawn.normal[0], drawn.normal[1], drawn.normal[2]);
             ds.d = Vector3f(drawn.direction[0], drawn.direction[1], drawn.direction[2]);
@@ -478,22 +480,16 @@ private:
                 },
                 "spherecap pdf");
         } else {
-            spherecap_sampler_t sampler;
             spherecap_density_t density;
+            const spherecap_receiver_t receiver = strategy().receiver(it.n);
+            const Vector3f c = m_sphere.center - it.p;
+            const float center[3] = {c.x(), c.y(), c.z()};
             const float d[3] = {direction.x(), direction.y(), direction.z()};
-            if (!active || !prepare(m_sphere, it, sampler) ||
-                spherecap_pdf_on_sphere(&sampler, d, &density) != SPHERECAP_STATUS_OK)
+            if (!active ||
+                spherecap_pdf_once(&receiver, center, m_sphere.radius, d, &density) != SPHERECAP_STATUS_OK)
                 return 0.f;
             return density.solid_angle;
         }
-    }
-
-    /// The part of a light that a point sees; false if that is none.
-    bool prepare(const Sphere &sphere, const Interaction3f &it, spherecap_sampler_t &sampler) const {
-        const Vector3f c = sphere.center - it.p;
-        const spherecap_receiver_t receiver = strategy().receiver(it.n);
-        const float center[3] = {c.x(), c.y(), c.z()};
-        return spherecap_prepare(&receiver, center, sphere.radius, &sampler) == SPHERECAP_STATUS_OK;
     }
 
     // The lights that choose among themselves.

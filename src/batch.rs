@@ -283,12 +283,12 @@ impl<L: Lane> Point<L> {
         Sampler::prepare_where_possible(self.receiver, self.centre, self.radius)
     }
 
-    /// What a kernel gives: the numbers that another function made with the sampler, or zeros where there is none or the rest of
-    /// the input is bad; and where any input is.
+    /// What a kernel gives: the numbers that another function made of a sampler (of whose cap the distance is told), or zeros where
+    /// there is none or the rest of the input is bad; and where any input is.
     #[inline(always)]
     fn results<const N: usize>(
         &self,
-        (sampler, is_sampled): (Sampler<L>, L::Mask),
+        (distance, is_sampled): (L, L::Mask),
         is_rest_good: L::Mask,
         mut numbers: [L; N],
     ) -> ([L; N], L::Mask) {
@@ -300,7 +300,7 @@ impl<L: Lane> Point<L> {
         let is_bad = if is_good.all() {
             !is_good
         } else {
-            !is_rest_good | is_bad(&self.receiver, self.centre, self.radius, sampler.cap().distance())
+            !is_rest_good | is_bad(&self.receiver, self.centre, self.radius, distance)
         };
         (numbers, is_bad)
     }
@@ -345,9 +345,9 @@ impl Kernel<9, 12> for SampleKernel {
         [nx, ny, nz, cx, cy, cz, radius, u0, u1]: [L; 9],
     ) -> ([L; 12], L::Mask) {
         let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
-        let (sampler, is_sampled) = point.sampler();
-        let sample = sampler.sample(u0, u1);
-        point.results((sampler, is_sampled), always::<L>(), sample_numbers(sample))
+        let (sample, distance, is_sampled) =
+            Sampler::sample_where_possible(point.receiver, point.centre, point.radius, [u0, u1]);
+        point.results((distance, is_sampled), always::<L>(), sample_numbers(sample))
     }
 }
 
@@ -366,7 +366,7 @@ impl Kernel<10, 2> for PdfKernel {
         let (sampler, is_sampled) = point.sampler();
         let offset = Offset { zenith, side, cosine };
         let density = sampler.pdf(offset);
-        point.results((sampler, is_sampled), is_offset(offset), density_numbers(density))
+        point.results((sampler.cap().distance(), is_sampled), is_offset(offset), density_numbers(density))
     }
 }
 
@@ -385,7 +385,7 @@ impl Kernel<10, 2> for PdfDirectionKernel {
         let (sampler, is_sampled) = point.sampler();
         let direction = Vec3::new(x, y, z);
         let density = sampler.pdf_direction(direction);
-        point.results((sampler, is_sampled), is_unit(direction), density_numbers(density))
+        point.results((sampler.cap().distance(), is_sampled), is_unit(direction), density_numbers(density))
     }
 }
 
@@ -401,10 +401,10 @@ impl Kernel<10, 2> for PdfOnSphereKernel {
         [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10],
     ) -> ([L; 2], L::Mask) {
         let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
-        let (sampler, is_sampled) = point.sampler();
         let direction = Vec3::new(x, y, z);
-        let density = sampler.pdf_on_sphere(direction);
-        point.results((sampler, is_sampled), is_unit(direction), density_numbers(density))
+        let (density, distance, is_sampled) =
+            Sampler::pdf_where_possible(point.receiver, point.centre, point.radius, direction);
+        point.results((distance, is_sampled), is_unit(direction), density_numbers(density))
     }
 }
 
@@ -419,7 +419,7 @@ impl Kernel<7, 2> for MeasuresKernel {
         let (sampler, is_sampled) = point.sampler();
         let cap = sampler.cap();
         let measures = [cap.solid_angle(), cap.projected_solid_angle()];
-        point.results((sampler, is_sampled), always::<L>(), measures)
+        point.results((sampler.cap().distance(), is_sampled), always::<L>(), measures)
     }
 }
 

@@ -13,21 +13,24 @@
 //! | 4 | `Z <= -s` | nothing |
 //!
 //! Everything about the horizon hangs on `s^2 - Z^2 = (r - h)(r + h) / d^2` with the signed height `h = n.C` of the centre,
-//! a compensated dot product; everything about nearness on `d^2 - r^2`, likewise. Lengths are first scaled by a power of
-//! two near 1/d, so that no square over- or underflows.
+//! a compensated dot product; everything about nearness on `d^2 - r^2`, likewise where it is small. Extreme lengths
+//! are first scaled by a power of two near 1/d, so that no square over- or underflows.
 //!
-//! The crescent, projected, has the area `t_y^3 (1 - kappa) N` with `kappa = |Z|/s`. With H of `disk.rs`, the segment that
-//! the chord `x = t_x` cuts off the unit disk has the area `t_y^3 H(t_x)`, and the one it cuts off the ellipse
-//! `s^2 |Z| (t_y/s)^3 H(e) = kappa t_y^3 H(e)` with `e = kappa t_x`. Their difference is
-//! `t_y^3 (H(t) - kappa H(e)) = t_y^3 (1 - kappa) (H(t) + e H[t, e])`, where the divided difference `H[t, e]` takes the place
-//! of the cancellation. Measured against 25-digit values: see `tests/reference.rs`.
+//! A cap is made in four steps: `sphere.rs` (scaled lengths), `frame.rs`, `horizon.rs`, `crescent.rs`.
 
-use crate::compensated::{dot, product};
-use crate::disk::shape_and_difference;
-use crate::lane::{branch, lit, Blend, Lane, Only};
-use crate::math::power_of_two_near_reciprocal;
+mod crescent;
+mod frame;
+mod horizon;
+mod sphere;
+
+use crate::lane::{branch, lit, Lane};
 use crate::vec3::Vec3;
 use core::f64::consts::PI;
+use frame::Frame;
+use horizon::Horizon;
+use sphere::{Lengths, Sphere};
+
+pub(crate) use crescent::Crescent;
 
 /// A sphere as seen from a point on a surface: the geometry that every technique shares.
 ///
@@ -48,68 +51,85 @@ use core::f64::consts::PI;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Cap<L> {
-    /// Unit vectors: towards the centre; across it, towards the zenith; sideways. A right-handed frame.
-    pub(crate) frame: [Vec3<L>; 3],
-    /// The surface's normal.
+    /// Unit vectors: towards the centre; sideways, across it and the normal.
+    pub(crate) towards_centre: Vec3<L>,
+    pub(crate) sideways: Vec3<L>,
+    /// The surface's normal, or zero; and, without a surface, any unit vector perpendicular to the others.
     pub(crate) normal: Vec3<L>,
+    pub(crate) up: Vec3<L>,
+    /// 1, or 0 without a surface.
+    pub(crate) on_surface: L,
     /// Distance to the centre, in the caller's unit of length.
     pub(crate) distance: L,
     /// `s = r/d`, the sine of the cap's angular radius, in (0, 1).
     pub(crate) radius_sin: L,
-    /// `1/s`.
-    pub(crate) inv_radius_sin: L,
-    /// `v`, its cosine.
+    /// `v`, its cosine; not positive, or NaN, inside the sphere.
     pub(crate) radius_cos: L,
-    /// `Z`, the sine of the centre's elevation above the horizon (its cosine with the normal), in [-1, 1].
+    /// `Z`, the sine of the centre's elevation above the horizon (its cosine with the normal), in [-1, 1]. 0 without a surface.
     pub(crate) elevation_sin: L,
-    /// `X`, the cosine of the elevation, in [0, 1]. Both are 0 without a surface.
+    /// `X`, the cosine of the elevation, in [0, 1]. 1 without a surface.
     pub(crate) elevation_cos: L,
-    /// Solid angle of the whole cap, in steradians, and its reciprocal; both 0 where nothing is visible.
-    pub(crate) solid_angle: L,
-    pub(crate) inv_solid_angle: L,
     /// What the horizon cuts off.
     pub(crate) crescent: Crescent<L>,
-    /// `(s^2 - Z^2) / (s X + v |Z|)`: how far the crescent rises above (or hangs below) the horizon, `c_z + r_z` in case 3.
-    /// Negative without a cut: then its magnitude is how far the cap's nearer end is from the horizon.
+    /// `s X - v |Z| = (s^2 - Z^2) / (s X + v |Z|)`: how far the crescent rises above (or hangs below) the horizon, `c_z + r_z` in
+    /// case 3. Negative without a cut: then its magnitude is how far the cap's nearer end is from the horizon.
     pub(crate) rise: L,
     /// Projected solid angles of the parts above and below the horizon, in steradians.
     pub(crate) projected_above: L,
     pub(crate) projected_below: L,
 }
 
-/// The part of a cut cap on the side of the horizon where its centre is not. In cases 1 and 4 `tau` and `area` are zero, and the
-/// rest is anything.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub(crate) struct Crescent<L> {
-    /// `kappa = |Z|/s` in [0, 1).
-    pub kappa: L,
-    /// `sqrt(1 - kappa^2)`.
-    pub tau: L,
-    /// `t_x` and `t_y`: where boundary and horizon meet.
-    pub t_x: L,
-    pub t_y: L,
-    /// `1 - t_x`.
-    pub width: L,
-    /// `1 / (1 + e)`.
-    pub inv_cut_1: L,
-    /// `e = kappa t_x = |c_z| / r_z`: where the horizon cuts the ellipse, relative to its half axis.
-    pub cut: L,
-    /// `H(t_x)` and `H(e)`.
-    pub shape: L,
-    pub shape_cut: L,
-    /// `N`, in [4/15, pi/2].
-    pub norm: L,
-    /// Its projected solid angle.
-    pub area: L,
+/// What is known of a cap before the horizon cuts it.
+#[derive(Clone, Copy)]
+pub(crate) struct View<L: Lane> {
+    normal: Vec3<L>,
+    on_surface: L::Mask,
+    sphere: Sphere<L>,
+    frame: Frame<L>,
+    horizon: Horizon<L>,
+    /// `v d`.
+    v_d: L,
 }
 
-impl<L: Lane> Crescent<L> {
-    /// `t_y^3`: every area is this times something of order one.
+impl<L: Lane> View<L> {
+    /// The first three steps; the arguments are those of [`Cap::new`].
     #[inline(always)]
-    pub(crate) fn t_y_cubed(&self) -> L {
-        self.t_y * self.t_y * self.t_y
+    pub(crate) fn new(normal: Vec3<L>, centre: Vec3<L>, radius: L) -> Self {
+        let sphere = Sphere::new(centre, radius);
+        let on_surface = L::lit(0.0).lt(normal.dot(normal));
+        let frame = Frame::new(normal, on_surface, &sphere);
+        let horizon = Horizon::new(normal, &sphere);
+        Self { normal, on_surface, sphere, frame, horizon, v_d: sphere.gap.sqrt() }
     }
+
+    /// Whether the horizon cuts it, and the point is outside: [`Cap::case`] will say the same.
+    #[inline(always)]
+    pub(crate) fn is_cut(&self) -> L::Mask {
+        let zero = L::lit(0.0);
+        zero.lt(self.horizon.q) & self.on_surface & zero.lt(self.sphere.gap)
+    }
+
+    /// What it cuts off, where it does, and `X d`: `(X d)^2 = d^2 - h^2` is the sum of two positives there.
+    #[inline(always)]
+    pub(crate) fn cut(&self) -> (Crescent<L>, L) {
+        let x_d = (self.sphere.gap + self.horizon.q).sqrt();
+        (Crescent::new(&self.sphere, &self.horizon, self.v_d, x_d), x_d)
+    }
+
+    /// The same elsewhere.
+    #[inline(always)]
+    pub(crate) fn uncut(&self) -> (Crescent<L>, L) {
+        (Crescent::none(), self.frame.x_d)
+    }
+}
+
+/// What the horizon does to a cap, for whoever decides by it.
+#[derive(Clone, Copy)]
+pub(crate) struct Case<M> {
+    /// Whether it cuts the cap: cases 2 and 3.
+    pub is_cut: M,
+    /// Whether the centre is above it.
+    pub is_centre_above: M,
 }
 
 impl<L: Lane> Cap<L> {
@@ -125,113 +145,44 @@ impl<L: Lane> Cap<L> {
     /// ```
     #[inline(always)]
     pub fn new(normal: impl Into<[L; 3]>, centre: impl Into<[L; 3]>, radius: L) -> Self {
-        let (normal, centre) = (Vec3::from(normal.into()), Vec3::from(centre.into()));
-        let size = (centre.x.abs() + centre.y.abs()) + (centre.z.abs() + radius);
-        let [scale, unscale] = power_of_two_near_reciprocal(size);
-        let (c, r) = (centre * scale, radius * scale);
+        let view = View::new(normal.into().into(), centre.into().into(), radius);
+        let cut = branch!(view.is_cut(), view.cut(), view.uncut());
+        Self::of(view, cut)
+    }
 
-        let d2 = dot(c, c);
-        let r2 = product(r, r);
-        // d^2 - r^2, positive outside the sphere.
-        let gap = (d2.hi - r2.hi) + (d2.lo - r2.lo);
-        let outside = L::lit(0.0).lt(gap);
-        let d = d2.hi.sqrt();
+    /// The last step: all in units of the distance, and the areas.
+    #[inline(always)]
+    pub(crate) fn of(view: View<L>, (crescent, x_d): (Crescent<L>, L)) -> Self {
+        let View { normal, on_surface, sphere, frame, horizon, v_d } = view;
+        let Sphere { lengths: Lengths { centre, radius, unit }, distance2, gap } = sphere;
+        let d = distance2.sqrt();
         let inv_d = lit(1.0) / d;
-
-        let height = dot(normal, c).normalised();
-        let (r_minus_h, r_plus_h) = ((r - height.hi) - height.lo, (r + height.hi) + height.lo);
-        // (s^2 - Z^2) d^2, positive where the horizon cuts the sphere.
-        let q = r_minus_h * r_plus_h;
-        let is_cut = L::lit(0.0).lt(q) & outside & is_on_surface(normal);
-
-        // |n x C| is X d. Where it (nearly) vanishes, at the zenith, any frame does: below 2^-51 in f32, X matters to
-        // nothing, and above, its square is far from underflow and the vector as precise as the input.
-        let sideways = normal.cross(c);
-        let sideways2 = sideways.dot(sideways);
-        let has_side = L::lit(L::MIN_POSITIVE / L::EPSILON).lt(sideways2);
-        let (side, side2) = branch!(has_side, (sideways, sideways2), {
-            let side = Vec3::blend(
-                c.x.abs().lt(c.z.abs()),
-                Vec3::new(L::lit(0.0), -c.z, c.y),
-                Vec3::new(-c.y, c.x, L::lit(0.0)),
-            );
-            (side, side.dot(side))
-        });
-
-        let gap_root = gap.max(L::lit(0.0)).sqrt();
-        let v = gap_root * inv_d;
-        // One division for two.
-        let v_1 = lit(1.0) + v;
-        let inv_r_v_1 = lit(1.0) / (r * v_1);
-        let inv_r = inv_r_v_1 * v_1;
-
-        let (s, inv_s) = (r * inv_d, d * inv_r);
-        // (X d)^2 = d^2 - h^2 is the sum of two positives where the horizon cuts, and the vector product elsewhere.
-        let Only(cut_x_d) = branch!(is_cut, Only((gap + q).sqrt()), Blend::blank());
-        let side_length = side2.sqrt();
-        let x_d = branch!(is_cut, cut_x_d, L::select(has_side, side_length, L::lit(0.0)));
-        let elevation_sin = height.hi * inv_d;
-        let elevation_cos = x_d * inv_d;
+        let (s, v) = (radius * inv_d, v_d * inv_d);
+        let (elevation_sin, elevation_cos) = (horizon.height * inv_d, x_d * inv_d);
         let z = elevation_sin.abs();
-        // Once more, kept far from underflow by a bound that matters to no visible sphere (below).
-        let s_x = s * elevation_cos;
-        let extent = v.fma(z, s_x).max(L::lit(L::MIN_POSITIVE / L::EPSILON));
-        let inv_product = lit(1.0) / (extent * side_length);
-        let inv_extent = inv_product * side_length;
         // At most `v |Z|` from the horizon, which a normal longer than 1 by a rounding would deny next to the sphere.
-        let rise = (q * (inv_d * inv_d) * inv_extent).max(-(v * z));
-
-        let side = side * (inv_product * extent);
-        let towards_centre = c * inv_d;
-        let frame = [towards_centre, towards_centre.cross_of_perpendicular(side), side];
-
-        let (tau, area, Only([kappa, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm])) = branch!(
-            is_cut,
-            {
-                let q_root = q.sqrt();
-                // 1 / (X^2 (1 + t_x)), over d^2: one division for two.
-                let x_d_1 = cut_x_d + gap_root;
-                let inv_both = lit(1.0) / (cut_x_d * x_d_1);
-                let inv_x_d = inv_both * x_d_1;
-                let (t_x, t_y) = (gap_root * inv_x_d, q_root * inv_x_d);
-                let kappa = height.hi.abs() * inv_r;
-                let cut = kappa * t_x;
-                let (shape, difference) = shape_and_difference(t_x, cut);
-                let shape_cut = (cut - t_x).fma(difference, shape);
-                let norm = cut.fma(difference, shape);
-                let area = t_y * t_y * t_y * (r_minus_h.min(r_plus_h) * inv_r) * norm;
-                let rest = [kappa, t_x, t_y, q * inv_both, s_x * inv_extent, cut, shape, shape_cut, norm];
-                (q_root * inv_r, area, Only(rest))
-            },
-            Blend::blank()
-        );
-        let crescent = Crescent { kappa, tau, t_x, t_y, width, inv_cut_1, cut, shape, shape_cut, norm, area };
+        let rise = (horizon.q * (inv_d * inv_d) / v.fma(z, s * elevation_cos)).max(-(v * z));
 
         // The whole cap, projected, is an ellipse with half axes s and s |Z|.
         let s2 = s * s;
-        let ellipse_area = s2 * z * lit(PI);
-        let larger = ellipse_area + area;
-        let sets = elevation_sin.lt(L::lit(0.0));
-        let above = L::select(sets, area, larger);
-        let below = L::select(sets, larger, area);
-        // 2 pi (1 - v), with 1 - v = s^2 / (1 + v).
-        let solid_angle = s2 * (inv_r_v_1 * r) * lit(2.0 * PI);
-        let inv_solid_angle = v_1 * (inv_s * inv_s) * lit(0.5 / PI);
-        // A sphere that looks so small that differences of its s^2 underflow (s < 3e-16 in f32) lights nothing; nor does a
-        // part of it whose density would overflow (an area below about 1e-37).
-        let is_visible = outside & L::lit(L::MIN_POSITIVE / L::EPSILON).lt(s2);
+        let larger = (s2 * z).fma(L::lit(PI), crescent.area);
+        let is_centre_above = L::lit(0.0).lt(elevation_sin);
+        let above = L::select(is_centre_above, larger, crescent.area);
+        let below = L::select(is_centre_above, crescent.area, larger);
+        // A part whose density would overflow (an area below about 1e-37) lights nothing.
+        let is_visible = is_visible(s2, gap);
         let smallest = L::lit(8.0 * L::MIN_POSITIVE);
         Self {
-            frame,
+            towards_centre: centre * inv_d,
+            sideways: frame.sideways * (lit(1.0) / frame.length),
             normal,
-            distance: d * unscale,
+            up: frame.up,
+            on_surface: L::select(on_surface, L::lit(1.0), L::lit(0.0)),
+            distance: d * unit,
             radius_sin: s,
-            inv_radius_sin: inv_s,
             radius_cos: v,
             elevation_sin,
             elevation_cos,
-            solid_angle: L::select(is_visible, solid_angle, L::lit(0.0)),
-            inv_solid_angle: L::select(is_visible, inv_solid_angle, L::lit(0.0)),
             crescent,
             rise,
             projected_above: L::select(smallest.lt(above) & is_visible, above, L::lit(0.0)),
@@ -251,7 +202,15 @@ impl<L: Lane> Cap<L> {
     /// ```
     #[inline(always)]
     pub fn solid_angle(&self) -> L {
-        self.solid_angle
+        self.height() * lit(2.0 * PI)
+    }
+
+    /// `1 - v = s^2 / (1 + v)`: the cap's height; 0 where nothing is visible.
+    #[inline(always)]
+    pub(crate) fn height(&self) -> L {
+        let s2 = self.radius_sin * self.radius_sin;
+        let is_visible = is_visible(s2, self.radius_cos);
+        L::select(is_visible, s2 / (lit(1.0) + self.radius_cos), L::lit(0.0))
     }
 
     /// Projected solid angle of the cap above the horizon, in steradians, in [0, pi] (to rounding).
@@ -295,7 +254,19 @@ impl<L: Lane> Cap<L> {
     /// Whether the point is on a surface: whether it has a normal.
     #[inline(always)]
     pub(crate) fn is_on_surface(&self) -> L::Mask {
-        is_on_surface(self.normal)
+        L::lit(0.0).lt(self.on_surface)
+    }
+
+    /// `s X + v |Z|`: how far the cap's other end is from the horizon.
+    #[inline(always)]
+    pub(crate) fn depth(&self) -> L {
+        self.radius_sin.fma(self.elevation_cos, self.radius_cos * self.elevation())
+    }
+
+    /// Which case this is.
+    #[inline(always)]
+    pub(crate) fn case(&self) -> Case<L::Mask> {
+        Case { is_cut: self.crescent.exists(), is_centre_above: L::lit(0.0).lt(self.elevation_sin) }
     }
 
     /// `|Z|`.
@@ -305,23 +276,9 @@ impl<L: Lane> Cap<L> {
     }
 }
 
+/// Whether there is a sphere outside the point (`gap` is positive) that does not look so small that differences of its `s^2`
+/// underflow (s < 3e-16 in f32).
 #[inline(always)]
-fn is_on_surface<L: Lane>(normal: Vec3<L>) -> L::Mask {
-    L::lit(0.0).lt(normal.dot(normal))
-}
-
-impl<M: Copy, L: Blend<M>, const N: usize> Blend<M> for [L; N] {
-    #[inline(always)]
-    fn blank() -> Self {
-        [L::blank(); N]
-    }
-    #[inline(always)]
-    fn blend(mask: M, yes: Self, no: Self) -> Self {
-        // Not by a closure, which might not be inlined; see `lane.rs`.
-        let mut blended = yes;
-        for (blended, no) in blended.iter_mut().zip(&no) {
-            *blended = L::blend(mask, *blended, *no);
-        }
-        blended
-    }
+fn is_visible<L: Lane>(s2: L, gap: L) -> L::Mask {
+    L::lit(L::MIN_POSITIVE / L::EPSILON).lt(s2) & L::lit(0.0).lt(gap)
 }

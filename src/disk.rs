@@ -110,7 +110,7 @@ pub(crate) fn from_edge<L: Lane>(height: L, is_near: L::Mask) -> L {
 }
 
 /// The inverse of [`square_to_disk`], also with a segment cut off ([`areas_of_chord`]), for a point given by `1 - x` and `y`. Where
-/// rounding has put it outside the disk, `y` is believed: near the edge a chord's length says more of the point than its
+/// rounding has put it outside the disk, `y` takes precedence: near the edge a chord's length says more of the point than its
 /// distance.
 #[inline(always)]
 pub(crate) fn disk_to_square<L: Lane>(from_edge: L, y: L, beyond: L) -> [L; 2] {

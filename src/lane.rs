@@ -160,6 +160,11 @@ pub trait Lane:
     /// What a comparison gives.
     type Mask: Mask;
 
+    /// Whether what follows a long choice is written once for each of its sides, as for scalars, which take one of them (a mask is
+    /// true or false) and need not come back, or once for both, as for packets and recordings, which may take both. The results
+    /// are the same.
+    const FORKS: bool;
+
     /// The polynomials fitted for this precision.
     const FITS: Fits;
     /// Stored bits of the significand: 23 or 52.
@@ -234,6 +239,60 @@ macro_rules! branch {
 }
 pub(crate) use branch;
 
+/// [`Blend`] of a struct of lanes, or of what else can be blended: field by field. `only` are those that nobody reads but lanes
+/// that took the first side: no select is spent on them.
+macro_rules! blend_fields {
+    ($name:ident { $($field:ident),* $(; only $($own:ident),*)? }) => {
+        impl<M: Copy, L: $crate::lane::Blend<M>> $crate::lane::Blend<M> for $name<L> {
+            #[inline(always)]
+            fn blank() -> Self {
+                use $crate::lane::Blend;
+                Self { $($field: Blend::blank(),)* $($($own: Blend::blank()),*)? }
+            }
+            #[inline(always)]
+            fn blend(mask: M, yes: Self, no: Self) -> Self {
+                use $crate::lane::Blend;
+                Self {
+                    $($field: Blend::blend(mask, yes.$field, no.$field),)*
+                    $($($own: yes.$own),*)?
+                }
+            }
+        }
+    };
+}
+pub(crate) use blend_fields;
+
+/// As [`branch!`], and then what is done with the result: `fork!(Lane, mask, if_true, if_false, result => then)`. Where the lane
+/// [forks](Lane::FORKS), `then` is written on both sides.
+macro_rules! fork {
+    ($lane:ty, $mask:expr, $yes:expr, $no:expr, $result:pat => $then:expr) => {
+        if !<$lane as $crate::lane::Lane>::FORKS {
+            let $result = $crate::lane::branch!($mask, $yes, $no);
+            $then
+        } else if $crate::lane::Mask::all($mask) {
+            let $result = $yes;
+            $then
+        } else {
+            let $result = $no;
+            $then
+        }
+    };
+}
+pub(crate) use fork;
+
+/// Writes something twice where the lane [forks](Lane::FORKS), for a mask that is true and for one that is false: `knowing!(Lane,
+/// mask => then)`. What `then` decides by that mask costs nothing then.
+macro_rules! knowing {
+    ($lane:ty, $mask:expr => $then:expr) => {
+        if <$lane as $crate::lane::Lane>::FORKS && $crate::lane::Mask::all($mask) {
+            $then
+        } else {
+            $then
+        }
+    };
+}
+pub(crate) use knowing;
+
 macro_rules! blend_tuples {
     ($($name:ident $index:tt),*) => {
         impl<M: Copy, $($name: Blend<M>),*> Blend<M> for ($($name,)*) {
@@ -250,3 +309,19 @@ macro_rules! blend_tuples {
 }
 blend_tuples!(A 0, B 1);
 blend_tuples!(A 0, B 1, C 2);
+
+impl<M: Copy, L: Blend<M>, const N: usize> Blend<M> for [L; N] {
+    #[inline(always)]
+    fn blank() -> Self {
+        [L::blank(); N]
+    }
+    #[inline(always)]
+    fn blend(mask: M, yes: Self, no: Self) -> Self {
+        // Not by a closure, which might not be inlined.
+        let mut blended = yes;
+        for (blended, no) in blended.iter_mut().zip(&no) {
+            *blended = L::blend(mask, *blended, *no);
+        }
+        blended
+    }
+}

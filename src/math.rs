@@ -50,7 +50,7 @@ pub(crate) fn polynomial_and_difference<L: Lane>(x: L, y: L, coefficients: &[f64
     (odd.fma(x, even), y.fma(odd_difference, even_difference).fma(sum, odd))
 }
 
-/// Of the polynomial with every other coefficient.
+/// Value and divided difference of the polynomial with the coefficients 0, 2, 4, ...
 #[inline(always)]
 fn horner_and_difference<L: Lane>(x: L, y: L, coefficients: &[f64]) -> (L, L) {
     let (mut value, mut difference) = (L::lit(0.0), L::lit(0.0));

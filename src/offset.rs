@@ -1,7 +1,7 @@
 //! Directions in the cap's own frame: `w = a w_d + zenith e_b + side e_c` with `a = sqrt(1 - zenith^2 - side^2)`.
 
 use crate::cap::Cap;
-use crate::lane::{lit, Blend, Lane};
+use crate::lane::{blend_fields, lit, Lane};
 use crate::vec3::Vec3;
 
 /// A direction in the cap's own frame. Its components keep their relative precision where those of a unit vector drown:
@@ -41,7 +41,7 @@ impl<L: Lane> Cap<L> {
     /// its error is absolute: a sampled direction brings a better one along.
     #[inline(always)]
     pub(crate) fn cosine(&self, centre: L, zenith: L) -> L {
-        self.elevation_sin.fma(centre, self.elevation_cos * zenith)
+        self.elevation_sin.fma(centre, self.elevation_cos * zenith) * self.on_surface
     }
 
     /// The component towards the centre, `a = sqrt(1 - sin^2)`, of an offset in the cap.
@@ -50,23 +50,17 @@ impl<L: Lane> Cap<L> {
     /// `cosine = Z a + X zenith`, tells it to epsilon / Z. The mean of both, weighted by the squares of their precision, is known to
     /// epsilon / sqrt(a^2 + Z^2).
     #[inline(always)]
-    pub(crate) fn towards_centre(&self, offset: Offset<L>) -> L {
+    pub(crate) fn centre_component(&self, offset: Offset<L>) -> L {
         let z = self.elevation_sin;
         let a2 = (lit(1.0) - offset.sin2()).max(L::lit(0.0));
         let z_a = (-self.elevation_cos).fma(offset.zenith, offset.cosine);
         a2.fma(a2.sqrt(), z * z_a) / z.fma(z, a2).max(L::lit(L::MIN_POSITIVE))
     }
 
-    /// Offset of a unit direction; outside the cap for directions away from the sphere.
+    /// The unit vector across the direction to the centre, towards the zenith.
     #[inline(always)]
-    pub(crate) fn offset(&self, direction: Vec3<L>) -> Offset<L> {
-        let [w, b, c] = self.frame;
-        let (centre, zenith, side) = (w.dot(direction), b.dot(direction), c.dot(direction));
-        let cosine = self.normal.dot(direction);
-        // The offset of the direction's mirror image behind the point would be the same.
-        let behind = centre.lt(L::lit(0.0));
-        let outside = Offset { zenith: L::lit(1.0), side: L::lit(1.0), cosine };
-        Offset::blend(behind, outside, Offset { zenith, side, cosine })
+    pub(crate) fn towards_zenith(&self) -> Vec3<L> {
+        self.towards_centre.cross_of_distinct(self.sideways)
     }
 
     /// Whether the offset is in the cap, up to the rounding of `s` and of the offset itself: 2e-6 in single precision (samples
@@ -77,40 +71,23 @@ impl<L: Lane> Cap<L> {
         offset.sin2().le(s * s * L::lit(1.0 + (16.0 * L::EPSILON).max(1e-14)))
     }
 
-    /// Direction, distance to the sphere and the sphere's normal there.
+    /// The component towards the centre of a direction with this offset, and where it meets the sphere: the distance, in units of
+    /// d, and the sphere's normal there, by its components towards the centre, towards the zenith, and sideways.
     ///
-    /// With `q = sqrt(s^2 - sin^2)` the sphere is met at `a - q = v^2 / (a + q)`, in units of d; its normal
+    /// With `q = sqrt(s^2 - sin^2)` the sphere is met at `a - q = v^2 / (a + q)`; its normal
     /// `((a - q) w - w_d) / s` has the components `(-(sin^2 + a q), (a - q) zenith, (a - q) side) / s`.
     #[inline(always)]
-    pub(crate) fn hit(&self, offset: Offset<L>) -> (Vec3<L>, L, Vec3<L>) {
+    pub(crate) fn hit(&self, offset: Offset<L>) -> (L, L, [L; 3]) {
         let (s, v) = (self.radius_sin, self.radius_cos);
         let sin2 = offset.sin2();
         let q2 = s.fma(s, -sin2).max(L::lit(0.0));
         // a^2 = 1 - sin^2 as q^2 + v^2: next to the sphere the vectors keep their unit length.
         let (q, a) = (q2.sqrt(), v.fma(v, q2).sqrt());
         let distance = v * v / (a + q);
-        let direction = Vec3::combine(self.frame, [a, offset.zenith, offset.side]);
-        let inv_s = self.inv_radius_sin;
+        let inv_s = lit(1.0) / s;
         let across = distance * inv_s;
-        let normal = Vec3::combine(
-            self.frame,
-            [-a.fma(q, sin2) * inv_s, across * offset.zenith, across * offset.side],
-        );
-        (direction, distance * self.distance, normal)
+        (a, distance, [-a.fma(q, sin2) * inv_s, across * offset.zenith, across * offset.side])
     }
 }
 
-impl<M: Copy, L: Blend<M>> Blend<M> for Offset<L> {
-    #[inline(always)]
-    fn blank() -> Self {
-        Self { zenith: L::blank(), side: L::blank(), cosine: L::blank() }
-    }
-    #[inline(always)]
-    fn blend(mask: M, yes: Self, no: Self) -> Self {
-        Self {
-            zenith: L::blend(mask, yes.zenith, no.zenith),
-            side: L::blend(mask, yes.side, no.side),
-            cosine: L::blend(mask, yes.cosine, no.cosine),
-        }
-    }
-}
+blend_fields!(Offset { zenith, side, cosine });

@@ -1,10 +1,10 @@
 //! The checked way in for scalars: bad input gets an error that says what to do.
 
-use crate::cap::Cap;
+use crate::cap::{Cap, View};
 use crate::lane::{branch, lit, Lane, Mask};
 use crate::math::power_of_two_near;
 use crate::offset::Offset;
-use crate::sampling::{Receiver, Sampler};
+use crate::sampling::{with_sampler, Density, Receiver, Sample, Sampler};
 use crate::vec3::Vec3;
 use core::{ffi::CStr, fmt};
 
@@ -190,15 +190,77 @@ impl<F: Scalar> Sampler<F> {
         if is_possible {
             Ok(sampler)
         } else {
-            Err(refusal(receiver, centre, radius, sampler.cap()))
+            Err(refusal(receiver, centre, radius, sampler.cap().distance()))
+        }
+    }
+
+    /// The sample of a sphere that is sampled once, for the caller who draws one at each point: the bits of [`Sampler::prepare`] and
+    /// [`Sampler::sample`], at a smaller cost, since nothing is kept for other samples.
+    ///
+    /// # Errors
+    /// Those of [`Sampler::prepare`].
+    ///
+    /// ```
+    /// use spherecap::{Receiver, Sampler};
+    ///
+    /// let (floor, centre, radius) = (Receiver::new([0.0, 0.0, 1.0]), [3.0, 0.0, 0.5_f32], 1.0);
+    /// let sample = Sampler::sample_once(floor, centre, radius, 0.25, 0.75)?;
+    /// assert_eq!(sample, Sampler::prepare(floor, centre, radius)?.sample(0.25, 0.75));
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
+    #[inline(always)]
+    pub fn sample_once(
+        receiver: Receiver<F>,
+        centre: impl Into<[F; 3]>,
+        radius: F,
+        u0: F,
+        u1: F,
+    ) -> Result<Sample<F>, Refusal> {
+        let centre = centre.into().into();
+        let (sample, distance, is_possible) = Self::sample_where_possible(receiver, centre, radius, [u0, u1]);
+        if is_possible {
+            Ok(sample)
+        } else {
+            Err(refusal(receiver, centre, radius, distance))
+        }
+    }
+
+    /// The density of a direction towards a sphere for which only this one is asked: the bits of [`Sampler::prepare`] and
+    /// [`Sampler::pdf_on_sphere`].
+    ///
+    /// # Errors
+    /// Those of [`Sampler::prepare`].
+    ///
+    /// ```
+    /// use spherecap::{Receiver, Sampler};
+    ///
+    /// let (floor, centre, radius) = (Receiver::new([0.0, 0.0, 1.0]), [3.0, 0.0, 0.5_f32], 1.0);
+    /// let sample = Sampler::sample_once(floor, centre, radius, 0.25, 0.75)?;
+    /// let density = Sampler::pdf_once(floor, centre, radius, sample.direction)?;
+    /// assert!((density.solid_angle / sample.density.solid_angle - 1.0).abs() < 1e-5);
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
+    #[inline(always)]
+    pub fn pdf_once(
+        receiver: Receiver<F>,
+        centre: impl Into<[F; 3]>,
+        radius: F,
+        direction: impl Into<[F; 3]>,
+    ) -> Result<Density<F>, Refusal> {
+        let (centre, direction) = (centre.into().into(), direction.into().into());
+        let (density, distance, is_possible) = Self::pdf_where_possible(receiver, centre, radius, direction);
+        if is_possible {
+            Ok(density)
+        } else {
+            Err(refusal(receiver, centre, radius, distance))
         }
     }
 }
 
-/// Why a preparation was not possible; `cap` is what [`Cap::new`] made of the input.
-#[inline(always)]
-pub(crate) fn refusal<F: Scalar>(receiver: Receiver<F>, centre: Vec3<F>, radius: F, cap: &Cap<F>) -> Refusal {
-    let faults = Faults::of(&receiver, centre, radius, cap.distance());
+/// Why a preparation was not possible; `distance` is what [`Cap::new`] made of the input.
+#[cold]
+pub(crate) fn refusal<F: Scalar>(receiver: Receiver<F>, centre: Vec3<F>, radius: F, distance: F) -> Refusal {
+    let faults = Faults::of(&receiver, centre, radius, distance);
     if faults.defensive {
         Refusal::Defensive
     } else if faults.normal {
@@ -207,7 +269,7 @@ pub(crate) fn refusal<F: Scalar>(receiver: Receiver<F>, centre: Vec3<F>, radius:
         Refusal::Radius
     } else if faults.centre {
         Refusal::Centre
-    } else if cap.is_inside() {
+    } else if Cap::new([F::lit(0.0); 3], centre, radius).is_inside() {
         Refusal::Inside
     } else {
         Refusal::Invisible
@@ -233,24 +295,63 @@ pub(crate) fn is_bad<L: Lane>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L
 }
 
 impl<L: Lane> Sampler<L> {
-    /// [`Sampler::prepare`] for any lane: the mask says where it would succeed. Elsewhere, nothing about the sampler holds.
-    ///
-    /// Fewer tests than there are refusals: a point inside, and a radius or a centre that is not finite, leave nothing to
-    /// sample or no distance.
+    /// [`Sampler::prepare`] for any lane: the mask says where it would succeed. Other lanes are unspecified.
     #[inline(always)]
     pub(crate) fn prepare_where_possible(
         receiver: Receiver<L>,
         centre: Vec3<L>,
         radius: L,
     ) -> (Self, L::Mask) {
-        let Receiver { normal, strategy } = receiver;
-        let unit = unit_or_zero(normal);
-        // False for NaN.
-        let has_length = unit.dot(unit).le(L::lit(2.0));
-        let is_valid = is_fraction(strategy.defensive) & has_length & L::lit(0.0).lt(radius);
-        let cap = Cap::new(unit, centre, radius);
-        let is_near = cap.distance().le(L::lit(L::MAX));
-        let sampler = Self::new(cap, strategy);
-        (sampler, is_valid & is_near & !sampler.is_empty())
+        let (view, is_valid) = view_where_valid(&receiver, centre, radius);
+        let cut = branch!(view.is_cut(), view.cut(), view.uncut());
+        let sampler = Self::new(Cap::of(view, cut), receiver.strategy);
+        (sampler, is_valid & sampler.is_possible())
     }
+
+    /// [`Sampler::sample_once`] for any lane, with the distance to the centre: the mask says where it would succeed.
+    #[inline(always)]
+    pub(crate) fn sample_where_possible(
+        receiver: Receiver<L>,
+        centre: Vec3<L>,
+        radius: L,
+        [u0, u1]: [L; 2],
+    ) -> (Sample<L>, L, L::Mask) {
+        let (view, is_valid) = view_where_valid(&receiver, centre, radius);
+        with_sampler!(L, view, receiver.strategy, (sampler, case) => {
+            (sampler.sample_case(case, u0, u1), sampler.cap().distance(), is_valid & sampler.is_possible())
+        })
+    }
+
+    /// [`Sampler::pdf_once`] for any lane, likewise.
+    #[inline(always)]
+    pub(crate) fn pdf_where_possible(
+        receiver: Receiver<L>,
+        centre: Vec3<L>,
+        radius: L,
+        direction: Vec3<L>,
+    ) -> (Density<L>, L, L::Mask) {
+        let (view, is_valid) = view_where_valid(&receiver, centre, radius);
+        with_sampler!(L, view, receiver.strategy, (sampler, _case) => {
+            (sampler.pdf_on_sphere(direction), sampler.cap().distance(), is_valid & sampler.is_possible())
+        })
+    }
+
+    /// With valid input: whether there is something to sample, at a distance.
+    #[inline(always)]
+    fn is_possible(&self) -> L::Mask {
+        self.cap().distance().le(L::lit(L::MAX)) & !self.is_empty()
+    }
+}
+
+/// What is seen of a sphere, and where the input is valid.
+///
+/// Fewer tests than there are refusals: a point inside, and a radius or a centre that is not finite, leave nothing to
+/// sample or no distance.
+#[inline(always)]
+fn view_where_valid<L: Lane>(receiver: &Receiver<L>, centre: Vec3<L>, radius: L) -> (View<L>, L::Mask) {
+    let unit = unit_or_zero(receiver.normal);
+    // False for NaN.
+    let has_length = unit.dot(unit).le(L::lit(2.0));
+    let is_valid = is_fraction(receiver.strategy.defensive) & has_length & L::lit(0.0).lt(radius);
+    (View::new(unit, centre, radius), is_valid)
 }

@@ -1,6 +1,6 @@
 //! Vectors of three lanes, with just the operations that the kernels need.
 
-use crate::lane::{Blend, Lane};
+use crate::lane::{blend_fields, Lane};
 use core::ops::{Div, Mul};
 
 /// A vector of three lanes, laid out as `[x, y, z]`. It converts from and into such an array, and so into what other libraries
@@ -60,10 +60,10 @@ impl<L: Lane> Vec3<L> {
         )
     }
 
-    /// Vector product of unit vectors at a right angle, each component to within an epsilon: nothing cancels there that
-    /// would matter to the length.
+    /// Vector product, each component to within an epsilon of the lengths' product: of vectors far from parallel, where nothing
+    /// cancels that would matter to the length.
     #[inline(always)]
-    pub(crate) fn cross_of_perpendicular(self, other: Self) -> Self {
+    pub(crate) fn cross_of_distinct(self, other: Self) -> Self {
         Self::new(
             self.y.fma(other.z, -(self.z * other.y)),
             self.z.fma(other.x, -(self.x * other.z)),
@@ -104,16 +104,7 @@ impl<L: Lane> Div<L> for Vec3<L> {
     }
 }
 
-impl<L: Blend<M>, M: Copy> Blend<M> for Vec3<L> {
-    #[inline(always)]
-    fn blank() -> Self {
-        Self::new(L::blank(), L::blank(), L::blank())
-    }
-    #[inline(always)]
-    fn blend(mask: M, yes: Self, no: Self) -> Self {
-        Self::new(L::blend(mask, yes.x, no.x), L::blend(mask, yes.y, no.y), L::blend(mask, yes.z, no.z))
-    }
-}
+blend_fields!(Vec3 { x, y, z });
 
 impl<L> From<[L; 3]> for Vec3<L> {
     #[inline(always)]

@@ -151,6 +151,18 @@ kernel! {
     }
 }
 kernel! {
+    fn kernel_sample_once(receiver: Receiver<F>, centre: [F; 3], radius: F, u: [F; 2]) -> (Sample<F>, F, bool) {
+        Sampler::sample_where_possible(receiver, centre.into(), radius, u)
+    }
+}
+kernel! {
+    fn kernel_pdf_once(
+        receiver: Receiver<F>, centre: [F; 3], radius: F, direction: [F; 3]
+    ) -> (Density<F>, F, bool) {
+        Sampler::pdf_where_possible(receiver, centre.into(), radius, direction.into())
+    }
+}
+kernel! {
     fn kernel_sample(sampler: &Sampler<F>, u0: F, u1: F) -> Sample<F> {
         sampler.sample(u0, u1)
     }
@@ -264,6 +276,22 @@ pub(super) unsafe fn store<T>(out: *mut T, value: Result<T, u32>) -> u32 {
     }
 }
 
+/// A receiver and a centre, checked as far as types go.
+///
+/// # Safety
+/// `receiver` and `centre` are NULL or point to what their types say, `centre` to three numbers.
+unsafe fn sphere<F: Precision>(
+    receiver: *const RawReceiver<F>,
+    centre: *const F,
+) -> Result<(Receiver<F>, [F; 3]), u32> {
+    // SAFETY: the caller's promise; an array is aligned as its elements.
+    let (receiver, centre) = unsafe { (receiver.as_ref(), centre.cast::<[F; 3]>().as_ref()) };
+    let (Some(receiver), Some(&centre)) = (receiver, centre) else { return Err(NULL_POINTER) };
+    let (technique, hemispheres) = enums(receiver.technique, receiver.hemispheres)?;
+    let strategy = Strategy { technique, hemispheres, defensive: receiver.defensive };
+    Ok((Receiver { normal: receiver.normal.into(), strategy }, centre))
+}
+
 // What the functions of the header do. Their safety is its contract: pointers are NULL, or to what their types say.
 
 pub(super) unsafe fn prepare<F: Precision>(
@@ -272,25 +300,21 @@ pub(super) unsafe fn prepare<F: Precision>(
     radius: F,
     sampler: *mut Prepared<F>,
 ) -> u32 {
-    // SAFETY: the header's contract; an array is aligned as its elements.
-    let (receiver, centre) = unsafe { (receiver.as_ref(), centre.cast::<[F; 3]>().as_ref()) };
     if sampler.is_null() {
         return NULL_POINTER;
     }
     let result = (|| {
         let instructions = instructions()?;
-        let (Some(receiver), Some(&centre)) = (receiver, centre) else { return Err(NULL_POINTER) };
-        let (technique, hemispheres) = enums(receiver.technique, receiver.hemispheres)?;
-        let strategy = Strategy { technique, hemispheres, defensive: receiver.defensive };
-        let receiver = Receiver { normal: receiver.normal.into(), strategy };
+        // SAFETY: the header's contract.
+        let (receiver, centre) = unsafe { sphere(receiver, centre) }?;
         // SAFETY: not NULL, so writable by the header's contract; a `Prepared` fits (asserted above).
         let out = unsafe { &mut *sampler.cast::<MaybeUninit<Prepared<F>>>() };
         if kernel_prepare(instructions, receiver, centre, radius, out) {
             return Ok(());
         }
         // SAFETY: just written.
-        let cap = unsafe { out.assume_init_ref() }.sampler.cap();
-        Err(Status::from(refusal(receiver, centre.into(), radius, cap)) as u32)
+        let distance = unsafe { out.assume_init_ref() }.sampler.cap().distance();
+        Err(Status::from(refusal(receiver, centre.into(), radius, distance)) as u32)
     })();
     let Err(status) = result else { return OK };
     // SAFETY: not NULL, so writable by the header's contract; a header fits.
@@ -299,6 +323,53 @@ pub(super) unsafe fn prepare<F: Precision>(
         sampler.cast::<Header>().write([F::SEAL, status, 0, 0]);
     }
     status
+}
+
+pub(super) unsafe fn sample_once<F: Precision>(
+    receiver: *const RawReceiver<F>,
+    centre: *const F,
+    radius: F,
+    u: [F; 2],
+    sample: *mut Sample<F>,
+) -> u32 {
+    let result = (|| {
+        let instructions = instructions()?;
+        // SAFETY: the header's contract.
+        let (receiver, centre) = unsafe { sphere(receiver, centre) }?;
+        let (sample, distance, is_possible) = kernel_sample_once(instructions, receiver, centre, radius, u);
+        if is_possible {
+            Ok(sample)
+        } else {
+            Err(Status::from(refusal(receiver, centre.into(), radius, distance)) as u32)
+        }
+    })();
+    // SAFETY: the header's contract.
+    unsafe { store(sample, result) }
+}
+
+pub(super) unsafe fn pdf_once<F: Precision>(
+    receiver: *const RawReceiver<F>,
+    centre: *const F,
+    radius: F,
+    direction: *const F,
+    density: *mut Density<F>,
+) -> u32 {
+    let result = (|| {
+        let instructions = instructions()?;
+        // SAFETY: the header's contract.
+        let (receiver, centre) = unsafe { sphere(receiver, centre) }?;
+        // SAFETY: the header's contract.
+        let direction = unsafe { checked_direction(direction) }?;
+        let (density, distance, is_possible) =
+            kernel_pdf_once(instructions, receiver, centre, radius, direction);
+        if is_possible {
+            Ok(density)
+        } else {
+            Err(Status::from(refusal(receiver, centre.into(), radius, distance)) as u32)
+        }
+    })();
+    // SAFETY: the header's contract.
+    unsafe { store(density, result) }
 }
 
 pub(super) unsafe fn sample<F: Precision>(

@@ -88,6 +88,33 @@ pub unsafe extern "C" fn spherecap_sample_f64(
     unsafe { calls::sample(sampler.cast(), u0, u1, sample.cast()) }
 }
 
+/// `spherecap_sample_once` in double precision.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_sample_once_f64(
+    receiver: *const spherecap_receiver_f64_t,
+    centre: *const f64,
+    radius: f64,
+    u0: f64,
+    u1: f64,
+    sample: *mut spherecap_sample_f64_t,
+) -> u32 {
+    // SAFETY: the header's contract.
+    unsafe { calls::sample_once(receiver.cast(), centre, radius, [u0, u1], sample.cast()) }
+}
+
+/// `spherecap_pdf_once` in double precision.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_pdf_once_f64(
+    receiver: *const spherecap_receiver_f64_t,
+    centre: *const f64,
+    radius: f64,
+    direction: *const f64,
+    density: *mut spherecap_density_f64_t,
+) -> u32 {
+    // SAFETY: the header's contract.
+    unsafe { calls::pdf_once(receiver.cast(), centre, radius, direction, density.cast()) }
+}
+
 /// `spherecap_pdf` in double precision.
 #[no_mangle]
 pub unsafe extern "C" fn spherecap_pdf_f64(

@@ -208,6 +208,39 @@ pub unsafe extern "C" fn spherecap_sample(
     unsafe { calls::sample(sampler.cast(), u0, u1, sample.cast()) }
 }
 
+/// The sample of a sphere that is sampled once, for the caller who draws one at each point: what `spherecap_prepare` and
+/// `spherecap_sample` would give, to the bit, at a smaller cost, since nothing is kept for other samples.
+///
+/// Stores the sample, or zeros (so a density of 0) on failure. Errors: those of `spherecap_prepare`.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_sample_once(
+    receiver: *const spherecap_receiver_t,
+    centre: *const f32,
+    radius: f32,
+    u0: f32,
+    u1: f32,
+    sample: *mut spherecap_sample_t,
+) -> u32 {
+    // SAFETY: the header's contract.
+    unsafe { calls::sample_once(receiver.cast(), centre, radius, [u0, u1], sample.cast()) }
+}
+
+/// The density of a unit direction towards a sphere for which only this one is asked: what `spherecap_prepare` and
+/// `spherecap_pdf_on_sphere` would give, to the bit. For multiple importance sampling, where a ray has hit the sphere.
+///
+/// Stores the density, or zeros on failure. Errors: those of `spherecap_prepare`, and DIRECTION.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_pdf_once(
+    receiver: *const spherecap_receiver_t,
+    centre: *const f32,
+    radius: f32,
+    direction: *const f32,
+    density: *mut spherecap_density_t,
+) -> u32 {
+    // SAFETY: the header's contract.
+    unsafe { calls::pdf_once(receiver.cast(), centre, radius, direction, density.cast()) }
+}
+
 /// Density of the direction with this offset; zero outside the cap and where nothing is sampled. For an offset from
 /// `spherecap_sample`: the very bits that it stored.
 ///

@@ -2,7 +2,7 @@
 //! runs kernels on them. Lane for lane they give the bits of scalar `f32`.
 //!
 //! A packet's operations are single instructions only inside functions that are compiled for its instruction set, so
-//! everything between such a function and the operations is `inline(always)`. `tests/c_abi.rs` looks whether it was inlined.
+//! everything between such a function and the operations is `inline(always)`. `tests/c_abi.rs` checks that it was inlined.
 
 pub(crate) mod arrays;
 #[cfg(target_arch = "x86_64")]
@@ -95,6 +95,7 @@ macro_rules! packet {
 
         impl Lane for $packet {
             type Mask = $mask;
+            const FORKS: bool = false;
             const FITS: Fits = <f32 as Lane>::FITS;
             const SIGNIFICAND_BITS: i32 = <f32 as Lane>::SIGNIFICAND_BITS;
             const EXPONENT_BIAS: i32 = <f32 as Lane>::EXPONENT_BIAS;

@@ -48,7 +48,7 @@ impl Tape {
             Recorded::Lit(value) => self.want_literal(value),
             Recorded::Node(node) => {
                 let index = node.index();
-                self.want(index, || self.push_op(Op::Mul, [index, self.literal(1.0)]))
+                self.want(index, || self.push_copy(Op::Mul, [index, self.literal(1.0)]))
             }
         }
     }
@@ -58,11 +58,11 @@ impl Tape {
         let index = match mask {
             RecordedMask::Lit(value) => {
                 let operands = if value { [0.0, 1.0] } else { [1.0, 0.0] };
-                self.push_op(Op::Lt, operands.map(|x| self.literal(x)))
+                self.push_copy(Op::Lt, operands.map(|x| self.literal(x)))
             }
             RecordedMask::Node(node) => node.index(),
         };
-        self.want(index, || self.push_op(Op::And, [index, index]))
+        self.want(index, || self.push_copy(Op::And, [index, index]))
     }
 }
 
@@ -223,6 +223,7 @@ impl<'t> Blend<RecordedMask<'t>> for Recorded<'t> {
 
 impl<'t> Lane for Recorded<'t> {
     type Mask = RecordedMask<'t>;
+    const FORKS: bool = false;
     const FITS: Fits = SINGLE;
     const SIGNIFICAND_BITS: i32 = <f32 as Lane>::SIGNIFICAND_BITS;
     const EXPONENT_BIAS: i32 = <f32 as Lane>::EXPONENT_BIAS;

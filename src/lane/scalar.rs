@@ -32,6 +32,7 @@ macro_rules! scalar_lane {
 
         impl Lane for $float {
             type Mask = bool;
+            const FORKS: bool = true;
             const FITS: Fits = $fits;
             const SIGNIFICAND_BITS: i32 = $float::MANTISSA_DIGITS as i32 - 1;
             const EXPONENT_BIAS: i32 = $float::MAX_EXP - 1;

@@ -8,7 +8,7 @@
 //! `s_y^2 = (1 + w_z / (s X + v |Z|)) / (1 + w_z / rise)`, which is 0/0 nowhere.
 
 use super::crescent::{self, Slice};
-use super::interior;
+use super::{interior, Place};
 use crate::cap::Cap;
 use crate::disk::power_per_height;
 use crate::lane::{branch, lit, Lane};
@@ -17,8 +17,7 @@ use crate::offset::Offset;
 /// `s_y^2` at the height `cosine` above the horizon, in [1/2, 1].
 #[inline(always)]
 fn width_scale2<L: Lane>(cap: &Cap<L>, cosine: L) -> L {
-    let depth = cap.radius_sin.fma(cap.elevation_cos, cap.radius_cos * cap.elevation());
-    (lit(1.0) + cosine / depth) / (lit(1.0) + cosine / cap.rise)
+    (lit(1.0) + cosine / cap.depth()) / (lit(1.0) + cosine / cap.rise)
 }
 
 /// x of the cap's boundary at the height `cosine` above the horizon: `t_x + |Z| z / X`.
@@ -38,7 +37,7 @@ pub(super) fn slice<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, share: L, u0: L,
 /// The direction for a point of the cut disk, `(1 - h, y, z)` on the hemisphere above it: in the crescent, or (`is_segment`) in the
 /// part of the centre's side beyond the chord, which needs no warp.
 #[inline(always)]
-pub(super) fn place<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, h: L, y: L, z: L) -> Offset<L> {
+pub(super) fn place<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, h: L, y: L, z: L) -> Place<L> {
     let c = &cap.crescent;
     let warped_z = z * (cap.rise / c.t_y);
     let scale2 = width_scale2(cap, warped_z);
@@ -49,7 +48,7 @@ pub(super) fn place<L: Lane>(cap: &Cap<L>, is_segment: L::Mask, h: L, y: L, z: L
     let warped_x = limb.fma(limb, scale2 * beyond_chord).sqrt();
     let warped_h = warped_y.fma(warped_y, warped_z * warped_z) / (lit(1.0) + warped_x);
     let pick = |segment: L, warped: L| L::select(is_segment, segment, warped);
-    crescent::offset(cap, is_segment, pick(h, warped_h), pick(y, warped_y), pick(z, warped_z))
+    crescent::place(cap, is_segment, pick(h, warped_h), pick(y, warped_y), pick(z, warped_z))
 }
 
 /// A point of the cut disk and where the warp sends it.
@@ -122,7 +121,7 @@ pub(super) fn density_bound<L: Lane>(cap: &Cap<L>) -> L {
     let c = &cap.crescent;
     let reach = cap.elevation_cos.fma(cap.radius_cos, cap.radius_sin * cap.elevation());
     let bound = reach / c.t_x * (lit(1.0) + c.cut).sqrt();
-    let is_case_3 = L::lit(0.0).lt(c.tau) & cap.elevation_sin.le(L::lit(0.0));
+    let is_case_3 = c.exists() & cap.elevation_sin.le(L::lit(0.0));
     L::select(is_case_3, bound, L::lit(1.0))
 }
 

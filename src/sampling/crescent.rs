@@ -13,7 +13,7 @@
 //! `(c, S)` is proportional to `(u, V B(V))` with a mild, smooth B, known exactly at both ends and fitted between them
 //! (`fits.rs`), with a density within 7e-6 of uniform over all kappa and t_x.
 
-use super::interior;
+use super::{interior, Place};
 use crate::cap::{Cap, Crescent};
 use crate::disk::{power_per_height, shape};
 use crate::fits::CRESCENT;
@@ -53,12 +53,14 @@ fn proportions<L: Lane>(cap: &Cap<L>, is_segment: L::Mask) -> [L; 3] {
     ]
 }
 
-/// The offset of a point with `1 - x = h`: `zenith = X z - Z x`.
+/// The direction with `1 - x = h`: `zenith = X z - Z x`.
 #[inline(always)]
-pub(super) fn offset<L: Lane>(cap: &Cap<L>, centre_side: L::Mask, h: L, side: L, cosine: L) -> Offset<L> {
+pub(super) fn place<L: Lane>(cap: &Cap<L>, centre_side: L::Mask, h: L, side: L, cosine: L) -> Place<L> {
     let z = cap.elevation();
     let z = L::select(centre_side, z, -z);
-    Offset { zenith: cap.elevation_cos.fma(cosine, -(z * (lit(1.0) - h))), side, cosine }
+    let along = lit(1.0) - h;
+    let zenith = cap.elevation_cos.fma(cosine, -(z * along));
+    Place { along, up: cosine, offset: Offset { zenith, side, cosine } }
 }
 
 /// The x of an offset in the crescent or beyond the chord.
@@ -83,11 +85,11 @@ impl<L: Lane> Marginal<L> {
         Self { coefficients: [L::lit(0.0); 7] }
     }
 
-    /// For samplers that use it `is_used`: the others are spared the work.
+    /// For samplers that use it `is_used`, and have one: the others are spared the work.
     #[inline(always)]
     pub(super) fn new(cap: &Cap<L>, is_used: L::Mask) -> Self {
         let Only(coefficients) = branch!(
-            is_used & L::lit(0.0).lt(cap.crescent.tau),
+            is_used,
             {
                 let c = &cap.crescent;
                 let (one, kappa_1) = (L::lit(1.0), lit(1.0) + c.kappa);
@@ -97,8 +99,9 @@ impl<L: Lane> Marginal<L> {
                 let inv = one / (c.norm * ends);
                 let inv_root = inv.sqrt();
                 let b0 = c.norm * inv_root;
-                let middle = shape((c.t_x + c.kappa) * c.inv_cut_1);
-                let b1 = kappa_1 * middle * (c.inv_cut_1 * c.inv_cut_1 * c.inv_cut_1) * (ends * inv);
+                let inv_cut_1 = one / (lit(1.0) + c.cut);
+                let middle = shape((c.t_x + c.kappa) * inv_cut_1);
+                let b1 = kappa_1 * middle * (inv_cut_1 * inv_cut_1 * inv_cut_1) * (ends * inv);
                 let rho = b1.fma(ends * inv_root, -one);
                 let y = one - b1;
                 // One by one: a loop over all of them is not unrolled, and then no coefficient is a constant any more.

@@ -8,7 +8,7 @@
 //! `s X (e - xi) = s X (1 - xi) - rise`. The offset towards the zenith, `X z - Z x`, is `X (z - Z v) - s Z^2 xi` with
 //! `z - Z v = s (X xi (s X xi - 2 Z v) + s (1 - xi^2 - eta^2)) / (z + Z v)`.
 
-use super::interior;
+use super::{interior, Place};
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, DiskPoint};
 use crate::lane::{branch, lit, Lane};
@@ -23,47 +23,55 @@ pub(super) struct Ellipse<L> {
     inv_rest: L,
     /// Area of the segment that the horizon cuts off the unit disk.
     pub beyond: L,
-}
-
-/// The direction for a point of the unit disk on this side of the chord, as if the centre were above the horizon.
-#[inline(always)]
-pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
-    let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
-    let xi = lit(1.0) - point.from_edge;
-    let rest = point.chord2 * point.across_complement;
-    let rim = (s * x).fma(point.from_edge, -cap.rise).max(L::lit(0.0));
-    let cosine = rim.fma(rim, s * s * rest).sqrt();
-    let side = s * point.chord * point.across;
-    let zv = z_centre * cap.radius_cos;
-    let climb = (x * xi).fma((s * x).fma(xi, lit(-2.0) * zv), s * rest) / (cosine + zv);
-    let zenith = s * x.fma(climb, -(z_centre * z_centre * xi));
-    Offset { zenith, side, cosine }
+    /// `X v` and `s |Z|`: the projected ellipse's middle and half axis, seen from its horizon's end.
+    middle: L,
+    half_axis: L,
+    /// `s X`: the height of the boundary circle's middle over its lower end.
+    climb: L,
 }
 
 impl<L: Lane> Ellipse<L> {
     /// For samplers that never use it.
     #[inline(always)]
     pub(super) fn unused() -> Self {
-        Self { crescent_share: L::lit(0.0), inv_rest: L::lit(1.0), beyond: L::lit(0.0) }
+        let (zero, one) = (L::lit(0.0), L::lit(1.0));
+        Self { crescent_share: zero, inv_rest: one, beyond: zero, middle: zero, half_axis: zero, climb: zero }
     }
 
-    /// For samplers that use it `is_used`: the others are spared the work. `inv_area` is the reciprocal projected solid angle
+    /// For samplers that use it where it `is_cut`: the others are spared the work. `inv_area` is the reciprocal projected solid angle
     /// of the centre's side.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>, is_used: L::Mask, inv_area: L) -> Self {
+    pub(super) fn new(cap: &Cap<L>, is_cut: L::Mask, inv_area: L) -> Self {
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let c = &cap.crescent;
         let (crescent_share, inv_rest, beyond) = branch!(
-            is_used & zero.lt(c.tau) & zero.lt(inv_area),
+            is_cut & zero.lt(inv_area),
             {
                 let share = c.t_y_cubed() * c.shape * inv_area;
                 // Sine of half the angle that the horizon cuts off the boundary circle: tau / X.
-                let half_sine = c.t_y * cap.inv_radius_sin;
-                (share, one / (one - share), half_sine * half_sine * half_sine * c.shape_cut)
+                let half_sine = c.t_y / cap.radius_sin;
+                (share, one / (one - share), half_sine * half_sine * half_sine * c.shape_cut())
             },
             (zero, one, zero)
         );
-        Self { crescent_share, inv_rest, beyond }
+        let (s, x, z) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
+        Self { crescent_share, inv_rest, beyond, middle: x * cap.radius_cos, half_axis: s * z, climb: s * x }
+    }
+
+    /// The direction for a point of the unit disk on this side of the chord, as if the centre were above the horizon.
+    #[inline(always)]
+    pub(super) fn place(&self, cap: &Cap<L>, point: DiskPoint<L>) -> Place<L> {
+        let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
+        let xi = lit(1.0) - point.from_edge;
+        let rest = point.chord2 * point.across_complement;
+        let rim = self.climb.fma(point.from_edge, -cap.rise).max(L::lit(0.0));
+        let cosine = rim.fma(rim, s * s * rest).sqrt();
+        let side = s * point.chord * point.across;
+        let zv = z_centre * cap.radius_cos;
+        let climb = (x * xi).fma(self.climb.fma(xi, lit(-2.0) * zv), s * rest) / (cosine + zv);
+        let zenith = s * x.fma(climb, -(z_centre * z_centre * xi));
+        let along = self.half_axis.fma(xi, self.middle);
+        Place { along, up: cosine, offset: Offset { zenith, side, cosine } }
     }
 
     /// What is left of the random number of a side for the ellipse.
@@ -85,7 +93,7 @@ impl<L: Lane> Ellipse<L> {
         let radius2 = offset.side.fma(offset.side, offset.cosine * offset.cosine);
         let by_radius = c.t_y.fma(c.t_y, -radius2) * ((lit(1.0) - radius2).max(zero).sqrt() + c.t_x);
         let by_zenith = z * (x.fma(offset.cosine, -offset.zenith) - z * c.t_x);
-        let is_beyond = zero.lt(c.tau) & zero.lt(by_radius + by_zenith);
+        let is_beyond = c.exists() & zero.lt(by_radius + by_zenith);
         is_behind | !is_beyond
     }
 

@@ -15,12 +15,12 @@ mod crescent;
 mod ellipse;
 mod solid_angle;
 
-use crate::cap::Cap;
+use crate::cap::{Cap, Case, View};
 use crate::disk::{
     areas_of_chord, cube_of_power, from_edge, height_per_power, power_per_height, shape_and_difference,
     square_to_disk, symmetric, two_thirds_power, DiskPoint,
 };
-use crate::lane::{branch, lit, Lane};
+use crate::lane::{blend_fields, branch, fork, knowing, lit, Blend, Lane};
 use crate::offset::Offset;
 use crate::prepare::is_unit;
 use crate::vec3::Vec3;
@@ -239,8 +239,66 @@ pub struct Sampler<L> {
     inv_below: L,
     /// Probability of the side above the horizon.
     share_above: L,
+    /// Along the surface towards the centre, or towards the zenith: see [`follows_surface`].
+    third_axis: Vec3<L>,
+    whole: solid_angle::Whole<L>,
     ellipse: ellipse::Ellipse<L>,
     marginal: crescent::Marginal<L>,
+}
+
+/// A direction that was placed in the cap.
+#[derive(Clone, Copy)]
+struct Place<L> {
+    /// Its components on the sampler's axes but the one sideways.
+    along: L,
+    up: L,
+    /// In the cap's own frame; its `side` is the component sideways.
+    offset: Offset<L>,
+}
+blend_fields!(Place { along, up, offset });
+
+/// Does something with the sampler of a view, and the case that it is: `with_sampler!(Lane, view, strategy, (sampler, case) =>
+/// then)`. Scalars do it once for each case.
+macro_rules! with_sampler {
+    ($lane:ty, $view:expr, $strategy:expr, ($sampler:ident, $case:ident) => $then:expr) => {{
+        let view = $view;
+        let is_cut = view.is_cut();
+        $crate::lane::fork!($lane, is_cut, view.cut(), view.uncut(), cut => {
+            let cap = $crate::cap::Cap::of(view, cut);
+            let $case = $crate::cap::Case { is_cut, ..cap.case() };
+            $crate::lane::knowing!($lane, $case.is_centre_above => {
+                let $sampler = Sampler::of(cap, $case, $strategy);
+                $then
+            })
+        })
+    }};
+}
+pub(crate) use with_sampler;
+
+impl<L: Lane> Sample<L> {
+    /// The sample of a sphere that is sampled once: the bits of `Sampler::new(Cap::new(normal, centre, radius), strategy).sample(u0, u1)`,
+    /// of which a scalar computes what this sample needs, and no more. [`Sampler::sample_once`] checks its input.
+    ///
+    /// ```
+    /// use spherecap::{Cap, Sample, Sampler, Strategy};
+    ///
+    /// let (normal, centre, radius) = ([0.0, 0.0, 1.0], [3.0, 0.0, 0.5_f32], 1.0);
+    /// let sample = Sample::once(normal, centre, radius, Strategy::default(), 0.25, 0.75);
+    /// let sampler = Sampler::new(Cap::new(normal, centre, radius), Strategy::default());
+    /// assert_eq!(sample, sampler.sample(0.25, 0.75));
+    /// ```
+    #[inline(always)]
+    pub fn once(
+        normal: impl Into<[L; 3]>,
+        centre: impl Into<[L; 3]>,
+        radius: L,
+        strategy: Strategy<L>,
+        u0: L,
+        u1: L,
+    ) -> Self {
+        let view = View::new(normal.into().into(), centre.into().into(), radius);
+        with_sampler!(L, view, strategy, (sampler, case) => sampler.sample_case(case, u0, u1))
+    }
 }
 
 impl<L: Lane> Sampler<L> {
@@ -255,6 +313,12 @@ impl<L: Lane> Sampler<L> {
     /// ```
     #[inline(always)]
     pub fn new(cap: Cap<L>, strategy: Strategy<L>) -> Self {
+        Self::of(cap, cap.case(), strategy)
+    }
+
+    /// The same, of a cap whose case is known.
+    #[inline(always)]
+    pub(crate) fn of(cap: Cap<L>, case: Case<L::Mask>, strategy: Strategy<L>) -> Self {
         let Strategy { technique, hemispheres, defensive } = strategy;
         let zero = L::lit(0.0);
         let reciprocal = |area: L| L::select(zero.lt(area), lit(1.0) / area, zero);
@@ -269,25 +333,34 @@ impl<L: Lane> Sampler<L> {
         let on_surface = cap.is_on_surface();
         let alone = L::select(zero.lt(defensive) | !on_surface, L::lit(1.0), zero);
         // The centre's side is the ellipse's; the other is the crescent's.
-        let centre_above = zero.lt(cap.elevation_sin);
-        let (uses_ellipse, uses_crescent) = match hemispheres {
-            Hemispheres::Front => (centre_above, !centre_above),
-            Hemispheres::Both => (zero.le(zero), zero.le(zero)),
+        let Case { is_cut, is_centre_above } = case;
+        let (cuts_ellipse, uses_crescent) = match hemispheres {
+            Hemispheres::Front => (is_cut & is_centre_above, is_cut & !is_centre_above),
+            Hemispheres::Both => (is_cut, is_cut),
         };
         let requested = defensive;
-        let inv_larger = L::select(centre_above, inv_above, inv_below);
+        let inv_larger = L::select(is_centre_above, inv_above, inv_below);
         let (defensive, ellipse, marginal) = match technique {
             Technique::SolidAngle => (L::lit(1.0), ellipse::Ellipse::unused(), crescent::Marginal::unused()),
             Technique::ProjectedBounded => (
                 L::select(samples_projected, defensive, alone),
-                ellipse::Ellipse::new(&cap, uses_ellipse, inv_larger),
+                ellipse::Ellipse::new(&cap, cuts_ellipse, inv_larger),
                 crescent::Marginal::unused(),
             ),
             Technique::Projected => (
                 L::select(samples_projected, defensive, alone),
-                ellipse::Ellipse::new(&cap, uses_ellipse, inv_larger),
+                ellipse::Ellipse::new(&cap, cuts_ellipse, inv_larger),
                 crescent::Marginal::new(&cap, uses_crescent),
             ),
+        };
+        let whole = match technique {
+            Technique::SolidAngle => solid_angle::Whole::new(&cap),
+            _ => branch!(zero.lt(defensive), solid_angle::Whole::new(&cap), solid_angle::Whole::unused()),
+        };
+        let third_axis = if follows_surface::<L>(technique) {
+            cap.sideways.cross_of_distinct(cap.up)
+        } else {
+            cap.towards_zenith()
         };
         let share_above = match hemispheres {
             Hemispheres::Front => L::lit(1.0),
@@ -307,6 +380,8 @@ impl<L: Lane> Sampler<L> {
             inv_above,
             inv_below,
             share_above,
+            third_axis,
+            whole,
             ellipse,
             marginal,
         }
@@ -316,7 +391,7 @@ impl<L: Lane> Sampler<L> {
     #[inline(always)]
     pub fn is_empty(&self) -> L::Mask {
         let zero = L::lit(0.0);
-        let plain = zero.lt(self.defensive) & zero.lt(self.cap.solid_angle);
+        let plain = zero.lt(self.defensive) & zero.lt(self.whole.inv_solid_angle);
         !(zero.lt(self.inv_above + self.inv_below) | plain)
     }
 
@@ -333,39 +408,99 @@ impl<L: Lane> Sampler<L> {
     /// The map is continuous for each part of a mixture. An empty cap gives density 0 and an arbitrary direction.
     #[inline(always)]
     pub fn sample(&self, u0: L, u1: L) -> Sample<L> {
+        self.sample_case(self.cap.case(), u0, u1)
+    }
+
+    /// The same, of a cap whose case is known.
+    #[inline(always)]
+    pub(crate) fn sample_case(&self, case: Case<L::Mask>, u0: L, u1: L) -> Sample<L> {
+        // For scalars once for each technique, so that what one does not need is not computed for it.
+        match self.technique {
+            Technique::Projected if L::FORKS => self.sample_with(Technique::Projected, case, u0, u1),
+            Technique::SolidAngle if L::FORKS => self.sample_with(Technique::SolidAngle, case, u0, u1),
+            technique => self.sample_with(technique, case, u0, u1),
+        }
+    }
+
+    #[inline(always)]
+    fn sample_with(&self, technique: Technique, case: Case<L::Mask>, u0: L, u1: L) -> Sample<L> {
         let (u0, u1) = (interior(u0), interior(u1));
-        let offset = match self.technique {
-            Technique::SolidAngle => {
-                let point = square_to_disk(u0, u1);
-                solid_angle::place(&self.cap, point)
-            }
-            _ => self.sample_mixture(u0, u1),
+        let is_mixed = is_mixed(technique, self.defensive);
+        knowing!(L, is_mixed => {
+            let Place { along, up, offset } = match technique {
+                Technique::SolidAngle => {
+                    let (along, offset) = self.whole.place(&self.cap, square_to_disk(u0, u1));
+                    Place { along, up: offset.zenith, offset }
+                }
+                _ => self.sample_mixture(technique, is_mixed, case, u0, u1),
+            };
+            let density = self.density(technique, is_mixed, offset);
+            let (centre, distance, normal) = self.cap.hit(offset);
+            let direction = if follows_surface::<L>(technique) || technique == Technique::SolidAngle {
+                self.vector(technique, along, offset.side, up)
+            } else {
+                self.vector(technique, centre, offset.side, offset.zenith)
+            };
+            let [centre, zenith, side] = normal;
+            let [along, up] = self.along_and_up(technique, centre, zenith);
+            let normal = self.vector(technique, along, side, up);
+            Sample { offset, direction, distance: distance * self.cap.distance, normal, density }
+        })
+    }
+
+    /// The vector with these components on the sampler's axes.
+    #[inline(always)]
+    fn vector(&self, technique: Technique, along: L, side: L, up: L) -> Vec3<L> {
+        let Cap { towards_centre, sideways, up: normal, .. } = self.cap;
+        let axes = if follows_surface::<L>(technique) {
+            [self.third_axis, sideways, normal]
+        } else {
+            [towards_centre, sideways, self.third_axis]
         };
-        let density = self.pdf_in_cap(offset);
-        let (direction, distance, normal) = self.cap.hit(offset);
-        Sample { offset, direction, distance, normal, density }
+        Vec3::combine(axes, [along, side, up])
+    }
+
+    /// Components on the sampler's axes, from those towards the centre and the zenith.
+    #[inline(always)]
+    fn along_and_up(&self, technique: Technique, centre: L, zenith: L) -> [L; 2] {
+        let (x, z) = (self.cap.elevation_cos, self.cap.elevation_sin);
+        if follows_surface::<L>(technique) {
+            [x.fma(centre, -(z * zenith)), z.fma(centre, x * zenith)]
+        } else {
+            [centre, zenith]
+        }
     }
 
     /// A direction by solid angle or by the projected technique, on one side or both: `u0` chooses, and what is left of it is
     /// used again.
     #[inline(always)]
-    fn sample_mixture(&self, u0: L, u1: L) -> Offset<L> {
+    fn sample_mixture(
+        &self,
+        technique: Technique,
+        is_mixed: L::Mask,
+        case: Case<L::Mask>,
+        u0: L,
+        u1: L,
+    ) -> Place<L> {
         let one = L::lit(1.0);
-        let is_plain = u0.lt(self.defensive);
+        let is_plain = is_mixed & u0.lt(self.defensive);
         let u0 = branch!(L::lit(0.0).lt(self.requested), left_over(u0, self.defensive, is_plain), u0);
-        let centre_above = L::lit(0.0).lt(self.cap.elevation_sin);
+        let Case { is_cut, is_centre_above } = case;
         match self.hemispheres {
-            Hemispheres::Front => self.sample_part(is_plain, centre_above, u0, u1),
+            Hemispheres::Front => self.sample_part(technique, is_plain, is_cut, is_centre_above, u0, u1),
             Hemispheres::Both => {
                 let above = is_plain | u0.lt(self.share_above);
                 let side_u0 = left_over(u0, self.share_above, above);
                 // The centre's side is the one where both or neither are above.
-                let centre_side = (above & centre_above) | (!above & !centre_above);
+                let centre_side = (above & is_centre_above) | (!above & !is_centre_above);
                 let u0 = L::select(is_plain, u0, side_u0);
-                let Offset { zenith, side, cosine } = self.sample_part(is_plain, centre_side, u0, u1);
+                let Place { along, up, offset } =
+                    self.sample_part(technique, is_plain, is_cut, centre_side, u0, u1);
                 // Below the horizon all is mirrored.
                 let sign = L::select(above, one, -one);
-                Offset { zenith: zenith * sign, side, cosine: cosine * sign }
+                let Offset { zenith, side, cosine } = offset;
+                let offset = Offset { zenith: zenith * sign, side, cosine: cosine * sign };
+                Place { along, up: up * sign, offset }
             }
         }
     }
@@ -373,55 +508,95 @@ impl<L: Lane> Sampler<L> {
     /// A direction in the whole cap by solid angle, or on the side of the horizon where the centre is, or on the other as if
     /// that side were above.
     #[inline(always)]
-    fn sample_part(&self, is_plain: L::Mask, centre_side: L::Mask, u0: L, u1: L) -> Offset<L> {
+    fn sample_part(
+        &self,
+        technique: Technique,
+        is_plain: L::Mask,
+        is_cut: L::Mask,
+        centre_side: L::Mask,
+        u0: L,
+        u1: L,
+    ) -> Place<L> {
+        knowing!(L, is_plain => {
+            // All of a disk, without anything cut off; else the crescent alone; else a part of either.
+            let is_whole = is_plain | !is_cut;
+            knowing!(L, is_whole => {
+                let is_crescent = !is_whole & !centre_side;
+                knowing!(L, is_crescent => self.place(technique, is_plain, is_whole, is_crescent, u0, u1))
+            })
+        })
+    }
+
+    #[inline(always)]
+    fn place(
+        &self,
+        technique: Technique,
+        is_plain: L::Mask,
+        is_whole: L::Mask,
+        is_crescent: L::Mask,
+        u0: L,
+        u1: L,
+    ) -> Place<L> {
         let cap = &self.cap;
-        let (zero, one) = (L::lit(0.0), L::lit(1.0));
+        let one = L::lit(1.0);
         let share = self.ellipse.crescent_share;
-        let is_disk = is_plain | (centre_side & share.le(u0));
+        let is_disk = is_whole | (!is_crescent & share.le(u0));
+        let is_segment = !is_crescent;
         let (across, across_complement) = symmetric(u1);
 
         // The disk and the slices of the crescent are measured by the same segments: what they share is written once, so
         // that packets and graphs, which may follow both sides, pay for it once. Of its own the disk has which side of its
         // middle a point is on, and a slice has its m.
-        let ([cube, scale, g2], own) = branch!(
+        fork!(
+            L,
             is_disk,
             {
                 let ellipse = &self.ellipse;
-                let (u0, beyond) = branch!(is_plain, (u0, zero), (ellipse.remap(u0), ellipse.beyond));
+                let (u0, beyond) = branch!(is_whole, (u0, L::lit(0.0)), (ellipse.remap(u0), ellipse.beyond));
                 let [near, far] = areas_of_chord(u0, beyond);
                 ([cube_of_power(near.min(far)), one, one], near - far)
             },
             {
-                let Slice { u0, m, g2, end } = match self.technique {
+                let Slice { u0, m, g2, end } = match technique {
                     Technique::Projected => {
-                        self.marginal.slice(cap, centre_side, share, u0, across, across_complement)
+                        self.marginal.slice(cap, is_segment, share, u0, across, across_complement)
                     }
-                    _ => bounded::slice(cap, centre_side, share, u0, across_complement),
+                    _ => bounded::slice(cap, is_segment, share, u0, across_complement),
                 };
                 ([u0, end * power_per_height(g2 * end), g2], m)
-            }
-        );
-        // Heights over g2, so that thin slices keep their digits.
-        let k = scale * two_thirds_power(cube);
-        let h1 = k * height_per_power(k * g2);
-        // The middle of the disk is as far as its segments go.
-        let h1 = branch!(is_disk, h1.min(one), h1);
-        let h = g2 * h1;
-        let chord2 = h1 * (lit(2.0) - h);
-        let chord = chord2.sqrt();
-        branch!(
-            is_disk,
-            {
-                let from_edge = from_edge(h, own.lt(zero));
-                let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
-                branch!(is_plain, solid_angle::place(cap, point), ellipse::place(cap, point))
             },
-            {
-                let (side, cosine) = (chord * across, chord * own);
-                match self.technique {
-                    Technique::Projected => crescent::offset(cap, centre_side, h, side, cosine),
-                    _ => bounded::place(cap, centre_side, h, side, cosine),
+            ([cube, scale, g2], own) => {
+            // Heights over g2, so that thin slices keep their digits.
+            let k = scale * two_thirds_power(cube);
+            let h1 = k * height_per_power(k * g2);
+            // The middle of the disk is as far as its segments go.
+            let h1 = branch!(is_disk, h1.min(one), h1);
+            let h = g2 * h1;
+            let chord2 = h1 * (lit(2.0) - h);
+            let chord = chord2.sqrt();
+            branch!(
+                is_disk,
+                {
+                    let from_edge = from_edge(h, own.lt(L::lit(0.0)));
+                    let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
+                    branch!(
+                        is_plain,
+                        {
+                            let (centre, offset) = self.whole.place(cap, point);
+                            let [along, up] = self.along_and_up(technique, centre, offset.zenith);
+                            Place { along, up, offset }
+                        },
+                        self.ellipse.place(cap, point)
+                    )
+                },
+                {
+                    let (side, cosine) = (chord * across, chord * own);
+                    match technique {
+                        Technique::Projected => crescent::place(cap, is_segment, h, side, cosine),
+                        _ => bounded::place(cap, is_segment, h, side, cosine),
+                    }
                 }
+            )
             }
         )
     }
@@ -487,21 +662,21 @@ impl<L: Lane> Sampler<L> {
     /// ```
     #[inline(always)]
     pub fn pdf_in_cap(&self, offset: Offset<L>) -> Density<L> {
+        self.density(self.technique, is_mixed(self.technique, self.defensive), offset)
+    }
+
+    #[inline(always)]
+    fn density(&self, technique: Technique, is_mixed: L::Mask, offset: Offset<L>) -> Density<L> {
         let zero = L::lit(0.0);
-        let cap = &self.cap;
         // An empty cap's samples may have none, and the density 0 yet.
         let cosine = offset.cosine.abs().min(L::lit(L::MAX));
         let weight =
-            if self.technique == Technique::SolidAngle { zero } else { self.projected_density(offset) };
-        // What most samplers do without.
-        let is_mixed = match self.technique {
-            Technique::SolidAngle => zero.le(zero),
-            _ => zero.lt(self.defensive),
-        };
+            if technique == Technique::SolidAngle { zero } else { self.projected_density(technique, offset) };
+        // The mixture's arithmetic is skipped where there is no solid-angle part.
         let (solid_angle, projected_solid_angle) = branch!(
             is_mixed,
             {
-                let plain = self.defensive * cap.inv_solid_angle;
+                let plain = self.defensive * self.whole.inv_solid_angle;
                 let plain_projected = (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX));
                 let rest = lit(1.0) - self.defensive;
                 (weight.fma(rest * cosine, plain), weight.fma(rest, plain_projected).min(L::lit(L::MAX)))
@@ -513,7 +688,7 @@ impl<L: Lane> Sampler<L> {
 
     /// Density of the projected technique alone, with respect to projected solid angle.
     #[inline(always)]
-    fn projected_density(&self, offset: Offset<L>) -> L {
+    fn projected_density(&self, technique: Technique, offset: Offset<L>) -> L {
         let zero = L::lit(0.0);
         let (above, below) = (zero.lt(offset.cosine), offset.cosine.lt(zero));
         let weight = match self.hemispheres {
@@ -524,13 +699,13 @@ impl<L: Lane> Sampler<L> {
                 L::select(above, self.inv_above * self.share_above, below)
             }
         };
-        if self.technique == Technique::Projected {
+        if technique == Technique::Projected {
             return weight;
         }
         let cap = &self.cap;
         let centre_above = zero.lt(cap.elevation_sin);
         let centre_side = (above & centre_above) | (below & !centre_above);
-        let is_warped = zero.lt(weight) & zero.lt(cap.crescent.tau) & !centre_side;
+        let is_warped = zero.lt(weight) & cap.crescent.exists() & !centre_side;
         // Beside a crescent so thin that it is hardly a number, the warp has a slope that is none.
         (weight * branch!(is_warped, bounded::relative_density(cap, offset), L::lit(1.0))).min(L::lit(L::MAX))
     }
@@ -568,7 +743,7 @@ impl<L: Lane> Sampler<L> {
     pub fn invert(&self, offset: Offset<L>) -> [L; 2] {
         let zero = L::lit(0.0);
         let cap = &self.cap;
-        let plain = || solid_angle::invert(cap, offset);
+        let plain = || self.whole.invert(cap, offset);
         let [u0, u1] = match self.technique {
             Technique::SolidAngle => plain(),
             _ => {
@@ -628,11 +803,36 @@ impl<L: Lane> Sampler<L> {
     /// outside the cap.
     #[inline(always)]
     pub fn offset(&self, direction: impl Into<[L; 3]>) -> Offset<L> {
-        self.cap.offset(direction.into().into())
+        let direction = Vec3::from(direction.into());
+        let centre = self.cap.towards_centre.dot(direction);
+        let (zenith, side) = (self.cap.towards_zenith().dot(direction), self.cap.sideways.dot(direction));
+        let cosine = self.cap.normal.dot(direction);
+        // The offset of the direction's mirror image behind the point would be the same.
+        let behind = centre.lt(L::lit(0.0));
+        let outside = Offset { zenith: L::lit(1.0), side: L::lit(1.0), cosine };
+        Offset::blend(behind, outside, Offset { zenith, side, cosine })
     }
 }
 
-/// Moves a random number off the ends of \[0, 1\], by less than two random numbers are apart.
+/// Whether the axes that a sampler puts directions together on are those of the surface (along it towards the centre, and its
+/// normal), where the projected techniques find a point. Else they are those of the cap (towards the centre, and towards the
+/// zenith), where sampling by solid angle does; and so in double precision, where a normal may be of unit length to single
+/// precision only, which must not show in the directions.
+#[inline(always)]
+fn follows_surface<L: Lane>(technique: Technique) -> bool {
+    L::SIGNIFICAND_BITS == 23 && technique != Technique::SolidAngle
+}
+
+/// Whether there is a part by solid angle.
+#[inline(always)]
+fn is_mixed<L: Lane>(technique: Technique, defensive: L) -> L::Mask {
+    match technique {
+        Technique::SolidAngle => L::lit(0.0).le(L::lit(0.0)),
+        _ => L::lit(0.0).lt(defensive),
+    }
+}
+
+/// Moves a random number off the ends of \[0, 1\], by less than the spacing of 24-bit random numbers.
 #[inline(always)]
 fn interior<L: Lane>(u: L) -> L {
     let margin = 0.5 * L::EPSILON;
@@ -657,14 +857,14 @@ fn share_above<L: Lane>(cap: &Cap<L>) -> L {
     let one = L::lit(1.0);
     let centre_above = L::lit(0.0).lt(cap.elevation_sin);
     let crescent_share = branch!(
-        L::lit(0.0).lt(cap.crescent.tau),
+        cap.crescent.exists(),
         {
             let c = &cap.crescent;
             let inv_x2 = lit(1.0) / (cap.elevation_cos * cap.elevation_cos);
             let m = c.tau * c.tau * inv_x2 / (lit(1.0) + c.t_x);
             let (_, difference) = shape_and_difference(c.kappa, c.cut);
             let bracket =
-                (c.kappa * m).fma(difference, c.shape_cut.fma(m - c.kappa * c.kappa, c.kappa) * inv_x2);
+                (c.kappa * m).fma(difference, c.shape_cut().fma(m - c.kappa * c.kappa, c.kappa) * inv_x2);
             let share = c.tau * c.tau * c.tau * (cap.radius_cos + lit(1.0)) * bracket * lit(1.0 / PI);
             share.max(L::lit(0.0)).min(L::lit(0.5))
         },

@@ -5,39 +5,55 @@
 
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, DiskPoint};
-use crate::lane::{lit, Lane};
+use crate::lane::{blend_fields, lit, Lane};
 use crate::offset::Offset;
 use core::f64::consts::PI;
 
-/// `1 - v`: the cap's height.
-#[inline(always)]
-fn height<L: Lane>(cap: &Cap<L>) -> L {
-    cap.solid_angle * lit(0.5 / PI)
+/// The cap by solid angle.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(super) struct Whole<L> {
+    /// `1 - v`: the cap's height; 0 where nothing is visible.
+    height: L,
+    /// Reciprocal solid angle; 0 likewise.
+    pub inv_solid_angle: L,
 }
+blend_fields!(Whole { height, inv_solid_angle });
 
-/// `(1 - v) rho^2`, by `1 - rho^2 = (1 - x^2)(1 - across^2)`.
-#[inline(always)]
-fn depth<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> L {
-    height(cap) * (lit(1.0) - point.chord2 * point.across_complement)
-}
+impl<L: Lane> Whole<L> {
+    #[inline(always)]
+    pub(super) fn new(cap: &Cap<L>) -> Self {
+        let (zero, height) = (L::lit(0.0), cap.height());
+        let inv_solid_angle = L::select(zero.lt(height), lit(0.5 / PI) / height, zero);
+        Self { height, inv_solid_angle }
+    }
 
-/// The direction for a point of the unit disk.
-#[inline(always)]
-pub(super) fn place<L: Lane>(cap: &Cap<L>, point: DiskPoint<L>) -> Offset<L> {
-    let depth = depth(cap, point);
-    let root = (height(cap) * (lit(2.0) - depth)).sqrt();
-    let zenith = (point.from_edge - lit(1.0)) * root;
-    let side = point.chord * point.across * root;
-    Offset { zenith, side, cosine: cap.cosine(lit(1.0) - depth, zenith) }
-}
+    /// For samplers that never use it.
+    #[inline(always)]
+    pub(super) fn unused() -> Self {
+        Self { height: L::lit(0.0), inv_solid_angle: L::lit(0.0) }
+    }
 
-#[inline(always)]
-pub(super) fn invert<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> [L; 2] {
-    let sin2 = offset.sin2();
-    let depth = sin2 / (lit(1.0) + cap.towards_centre(offset));
-    let per_scale = lit(1.0) / (height(cap) * (lit(2.0) - depth)).sqrt();
-    let from_edge = offset.zenith.fma(per_scale, L::lit(1.0));
-    disk_to_square(from_edge, offset.side * per_scale, L::lit(0.0))
+    /// The direction for a point of the unit disk: its component towards the centre, and its offset.
+    #[inline(always)]
+    pub(super) fn place(&self, cap: &Cap<L>, point: DiskPoint<L>) -> (L, Offset<L>) {
+        // `(1 - v) rho^2`, by `1 - rho^2 = (1 - x^2)(1 - across^2)`.
+        let depth = self.height * (lit(1.0) - point.chord2 * point.across_complement);
+        let root = (self.height * (lit(2.0) - depth)).sqrt();
+        let zenith = (point.from_edge - lit(1.0)) * root;
+        let side = point.chord * point.across * root;
+        let centre = lit(1.0) - depth;
+        (centre, Offset { zenith, side, cosine: cap.cosine(centre, zenith) })
+    }
+
+    #[inline(always)]
+    pub(super) fn invert(&self, cap: &Cap<L>, offset: Offset<L>) -> [L; 2] {
+        let sin2 = offset.sin2();
+        let depth = sin2 / (lit(1.0) + cap.centre_component(offset));
+        let per_scale = lit(1.0) / (self.height * (lit(2.0) - depth)).sqrt();
+        let from_edge = offset.zenith.fma(per_scale, L::lit(1.0));
+        disk_to_square(from_edge, offset.side * per_scale, L::lit(0.0))
+    }
 }
 
 /// The largest cosine in the cap over the smallest; infinity where that is not positive.

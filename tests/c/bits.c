@@ -66,20 +66,26 @@ int main(int count, char **arguments) {
         const TYPE(receiver)
             receiver = {{in[3], in[4], in[5]}, (uint32_t)words[0], (uint32_t)words[1], in[2]};
         TYPE(sampler) sampler;
+        TYPE(sample) once;
         const uint32_t status = OF_PRECISION(spherecap_prepare)(&receiver, in + 6, in[9], &sampler);
+        CHECK(OF_PRECISION(spherecap_sample_once)(&receiver, in + 6, in[9], in[10], in[11], &once) == status);
         if (status != SPHERECAP_STATUS_OK) {
             puts(spherecap_status_message(status));
             continue;
         }
         TYPE(sample) sample;
-        TYPE(density) density, of_direction, on_sphere;
+        TYPE(density) density, of_direction, on_sphere, on_sphere_once;
         number_t u[2], solid_angle, projected_solid_angle, bound;
         CHECK(OF_PRECISION(spherecap_sample)(&sampler, in[10], in[11], &sample) == SPHERECAP_STATUS_OK);
+        CHECK(memcmp(&once, &sample, sizeof once) == 0);
         CHECK(OF_PRECISION(spherecap_pdf)(&sampler, &sample.offset, &density) == SPHERECAP_STATUS_OK);
         CHECK(OF_PRECISION(spherecap_pdf_direction)(&sampler, sample.direction, &of_direction) ==
               SPHERECAP_STATUS_OK);
         CHECK(OF_PRECISION(spherecap_pdf_on_sphere)(&sampler, sample.direction, &on_sphere) ==
               SPHERECAP_STATUS_OK);
+        CHECK(OF_PRECISION(spherecap_pdf_once)(&receiver, in + 6, in[9], sample.direction, &on_sphere_once) ==
+              SPHERECAP_STATUS_OK);
+        CHECK(memcmp(&on_sphere_once, &on_sphere, sizeof on_sphere) == 0);
         CHECK(OF_PRECISION(spherecap_invert)(&sampler, &sample.offset, u) == SPHERECAP_STATUS_OK);
         CHECK(OF_PRECISION(spherecap_solid_angle)(&sampler, &solid_angle) == SPHERECAP_STATUS_OK);
         CHECK(OF_PRECISION(spherecap_projected_solid_angle)(&sampler, &projected_solid_angle) ==

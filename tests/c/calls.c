@@ -310,6 +310,13 @@ static void bad_input_to_the_others(void) {
     CHECK(spherecap_pdf(&sampler, &centre, NULL) == null);
     CHECK(spherecap_pdf_direction(&sampler, direction, NULL) == null);
     CHECK(spherecap_pdf_on_sphere(&sampler, direction, NULL) == null);
+    const spherecap_receiver_t receiver = {{0.0f, 0.0f, 1.0f}, 0, 0, 0.0f};
+    CHECK(spherecap_sample_once(&receiver, ahead, 1.0f, 0.5f, 0.5f, NULL) == null);
+    CHECK(spherecap_pdf_once(&receiver, ahead, 1.0f, direction, NULL) == null);
+    EXPECT_NOTHING(null, density, spherecap_pdf_once(&receiver, ahead, 1.0f, NULL, &density));
+    const float too_long[3] = {1.1f, 0.0f, 0.0f};
+    EXPECT_NOTHING(SPHERECAP_STATUS_DIRECTION, density,
+                   spherecap_pdf_once(&receiver, ahead, 1.0f, too_long, &density));
     CHECK(spherecap_invert(&sampler, &centre, NULL) == null);
     CHECK(spherecap_solid_angle(&sampler, NULL) == null);
     CHECK(spherecap_projected_solid_angle(&sampler, NULL) == null);
@@ -436,10 +443,17 @@ static void double_precision(void) {
     double u[2], solid_angle, projected_solid_angle, bound;
     CHECK(meet(spherecap_prepare_f64(&receiver, centre, 1.0, &sampler)) == SPHERECAP_STATUS_OK);
     CHECK(spherecap_sample_f64(&sampler, 0.25, 0.75, &sample) == SPHERECAP_STATUS_OK);
+    spherecap_sample_f64_t once;
+    CHECK(spherecap_sample_once_f64(&receiver, centre, 1.0, 0.25, 0.75, &once) == SPHERECAP_STATUS_OK);
+    CHECK(memcmp(&once, &sample, sizeof once) == 0);
+    spherecap_density_f64_t density_once;
+    CHECK(spherecap_pdf_once_f64(&receiver, centre, 1.0, sample.direction, &density_once) ==
+          SPHERECAP_STATUS_OK);
     CHECK(spherecap_pdf_f64(&sampler, &sample.offset, &density) == SPHERECAP_STATUS_OK);
     CHECK(memcmp(&density, &sample.density, sizeof density) == 0);
     CHECK(spherecap_pdf_direction_f64(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
     CHECK(spherecap_pdf_on_sphere_f64(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    CHECK(memcmp(&density_once, &density, sizeof density) == 0);
     CHECK(fabs(density.solid_angle / sample.density.solid_angle - 1.0) < 1e-12);
     CHECK(spherecap_invert_f64(&sampler, &sample.offset, u) == SPHERECAP_STATUS_OK);
     CHECK(fabs(u[0] - 0.25) < 1e-12 && fabs(u[1] - 0.75) < 1e-12);

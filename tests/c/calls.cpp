@@ -45,6 +45,15 @@ void call_everything() {
     CHECK(std::memcmp(&density, &sample.density, sizeof density) == 0);
     CHECK(spherecap_pdf_direction(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
     CHECK(spherecap_pdf_on_sphere(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    spherecap_sample_t once;
+    spherecap_density_t density_once;
+    const spherecap_receiver_t leaf{
+        {0.0f, 0.0f, 1.0f}, SPHERECAP_TECHNIQUE_PROJECTED, SPHERECAP_HEMISPHERES_BOTH, 0.125f};
+    CHECK(spherecap_sample_once(&leaf, ahead.data(), 1.0f, 0.25f, 0.75f, &once) == SPHERECAP_STATUS_OK);
+    CHECK(std::memcmp(&once, &sample, sizeof once) == 0);
+    CHECK(spherecap_pdf_once(&leaf, ahead.data(), 1.0f, sample.direction, &density_once) ==
+          SPHERECAP_STATUS_OK);
+    CHECK(std::memcmp(&density_once, &density, sizeof density) == 0);
     CHECK(density.solid_angle > 0.0f);
     std::array<float, 2> u;
     CHECK(spherecap_invert(&sampler, &sample.offset, u.data()) == SPHERECAP_STATUS_OK);
@@ -151,6 +160,13 @@ void call_in_double_precision() {
     CHECK(std::memcmp(&density, &sample.density, sizeof density) == 0);
     CHECK(spherecap_pdf_direction_f64(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
     CHECK(spherecap_pdf_on_sphere_f64(&sampler, sample.direction, &density) == SPHERECAP_STATUS_OK);
+    spherecap_sample_f64_t once;
+    spherecap_density_f64_t density_once;
+    CHECK(spherecap_sample_once_f64(&receiver, centre.data(), 1.0, 0.25, 0.75, &once) == SPHERECAP_STATUS_OK);
+    CHECK(std::memcmp(&once, &sample, sizeof once) == 0);
+    CHECK(spherecap_pdf_once_f64(&receiver, centre.data(), 1.0, sample.direction, &density_once) ==
+          SPHERECAP_STATUS_OK);
+    CHECK(std::memcmp(&density_once, &density, sizeof density) == 0);
     std::array<double, 2> u;
     CHECK(spherecap_invert_f64(&sampler, &sample.offset, u.data()) == SPHERECAP_STATUS_OK);
     double solid_angle, projected_solid_angle, bound;

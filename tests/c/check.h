@@ -58,6 +58,7 @@ static inline void choose_mode(int count, char **arguments) {
 }
 
 // `spherecap_prepare` with a receiver of these; of none, if there is no normal.
+// Prepares a sampler of a sphere.
 static inline uint32_t prepare_for(uint32_t technique, uint32_t hemispheres, float defensive,
                                    const float *normal, const float *centre, float radius,
                                    spherecap_sampler_t *sampler) {
@@ -65,7 +66,23 @@ static inline uint32_t prepare_for(uint32_t technique, uint32_t hemispheres, flo
     if (normal != NULL) {
         memcpy(receiver.normal, normal, sizeof receiver.normal);
     }
-    return spherecap_prepare(normal == NULL ? NULL : &receiver, centre, radius, sampler);
+    const spherecap_receiver_t *given = normal == NULL ? NULL : &receiver;
+    const uint32_t status = spherecap_prepare(given, centre, radius, sampler);
+    if (sampler == NULL) {
+        return status;
+    }
+    // The calls that keep nothing say the same, with the same bits.
+    const float zenith[3] = {0.0f, 0.0f, 1.0f};
+    spherecap_sample_t kept, once;
+    spherecap_density_t density, density_once;
+    CHECK(spherecap_sample(sampler, 0.3f, 0.7f, &kept) == status);
+    CHECK(spherecap_sample_once(given, centre, radius, 0.3f, 0.7f, &once) == status);
+    CHECK(memcmp(&once, &kept, sizeof once) == 0);
+    const float *direction = status == SPHERECAP_STATUS_OK ? kept.direction : zenith;
+    CHECK(spherecap_pdf_on_sphere(sampler, direction, &density) == status);
+    CHECK(spherecap_pdf_once(given, centre, radius, direction, &density_once) == status);
+    CHECK(memcmp(&density_once, &density, sizeof density) == 0);
+    return status;
 }
 
 #endif

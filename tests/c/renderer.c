@@ -185,14 +185,10 @@ static double light_of(const scene_t *scene, const light_t *light, const spherec
     for (int i = 0; i < 3; ++i) {
         centre[i] = (float)(light->centre.x[i] - point.x[i]);
     }
-    spherecap_sampler_t sampler;
     spherecap_sample_t sample;
-    uint32_t status = spherecap_prepare(receiver, centre, (float)light->radius, &sampler);
+    const uint32_t status = spherecap_sample_once(receiver, centre, (float)light->radius, u0, u1, &sample);
     if (status == SPHERECAP_STATUS_INVISIBLE || status == SPHERECAP_STATUS_INSIDE) {
         return 0; // below the horizon, or around the point: a light that lights nothing here
-    }
-    if (status == SPHERECAP_STATUS_OK) {
-        status = spherecap_sample(&sampler, u0, u1, &sample);
     }
     if (status != SPHERECAP_STATUS_OK) {
         fail("a light cannot be sampled: ", spherecap_status_message(status));

@@ -328,7 +328,7 @@ def test_moving_the_light_compiles_nothing(variant):
 # Without conditionals, what is computed; with them, the merging of their results, too.
 @pytest.mark.parametrize(
     ("symbolic", "budget"),
-    [(False, {"sample": 455, "pdf": 260}), (True, {"sample": 595, "pdf": 295})],
+    [(False, {"sample": 525, "pdf": 275}), (True, {"sample": 640, "pdf": 305})],
     ids=["selects", "conditionals"],
 )
 def test_recording_has_a_budget(symbolic, budget):

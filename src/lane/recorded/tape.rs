@@ -1,7 +1,7 @@
 //! What a kernel does, remembered, and then played to a program that builds an expression graph of it.
 //!
-//! To play it later, and not at once, is what makes conditionals possible: only at the end is it known what of a side of a
-//! branch is read after it, and which sides are worth a jump. What no result needs is not played.
+//! Playing it later allows conditionals: which values leave a side of a branch, and which sides are worth a jump, is known only
+//! at the end. What no result needs is not played.
 
 use core::cell::RefCell;
 
@@ -59,7 +59,7 @@ pub(crate) struct Conditional(pub u64);
 /// A side of a branch with fewer operations is computed everywhere: a conditional costs a test, a jump, and a merge of each of
 /// its results. With Dr.Jit on LLVM the time of renders is the same for anything from 4 to 20, but that of compilation grows
 /// with the number of conditionals.
-const FEWEST: usize = 12;
+const FEWEST: usize = 20;
 
 /// Place on a tape.
 pub(super) type Index = usize;
@@ -89,6 +89,8 @@ pub(crate) struct Tape {
     // Borrowed only within the functions below, none of which calls another while it holds it.
     entries: RefCell<Vec<Entry>>,
     sides: RefCell<Sides>,
+    /// The operations on no side that has ended.
+    known: RefCell<Vec<Index>>,
     /// Bit patterns of literals, and where they are.
     literals: RefCell<Vec<(u32, Index)>>,
     wanted: RefCell<Vec<Index>>,
@@ -113,7 +115,21 @@ impl Tape {
         self.push(Entry::Input(node))
     }
 
+    /// An operation: the same entry for the same on the same operands, unless it is on a side that has ended.
     pub(super) fn push_op<const N: usize>(&self, op: Op, operands: [Index; N]) -> Index {
+        let mut padded = [0; 3];
+        padded[..N].copy_from_slice(&operands);
+        let is_same = |&&known: &&Index| matches!(self.entries.borrow()[known], Entry::Op(other, others) if other == op && others == padded);
+        let known = self.known.borrow().iter().rev().find(is_same).copied();
+        known.unwrap_or_else(|| {
+            let index = self.push(Entry::Op(op, padded));
+            self.known.borrow_mut().push(index);
+            index
+        })
+    }
+
+    /// The same as an entry that no other operation reads.
+    pub(super) fn push_copy<const N: usize>(&self, op: Op, operands: [Index; N]) -> Index {
         let mut padded = [0; 3];
         padded[..N].copy_from_slice(&operands);
         self.push(Entry::Op(op, padded))
@@ -146,6 +162,8 @@ impl Tape {
         let mut sides = self.sides.borrow_mut();
         if let Some(number) = sides.open.pop() {
             sides.all[number].end = end;
+            let start = sides.all[number].start;
+            self.known.borrow_mut().retain(|&index| index < start);
         }
     }
 

@@ -1,0 +1,93 @@
+//! Fourth step: the part of a cut cap on the side of the horizon where its centre is not.
+//!
+//! Projected it has the area `t_y^3 (1 - kappa) N` with `kappa = |Z|/s`. With H of `disk.rs`, the segment that
+//! the chord `x = t_x` cuts off the unit disk has the area `t_y^3 H(t_x)`, and the one it cuts off the ellipse
+//! `s^2 |Z| (t_y/s)^3 H(e) = kappa t_y^3 H(e)` with `e = kappa t_x`. Their difference is
+//! `t_y^3 (H(t) - kappa H(e)) = t_y^3 (1 - kappa) (H(t) + e H[t, e])`, where the divided difference `H[t, e]` takes the place
+//! of the cancellation. Measured against 25-digit values: see `tests/reference.rs`.
+
+use super::horizon::Horizon;
+use super::sphere::Sphere;
+use crate::disk::shape_and_difference;
+use crate::lane::{blend_fields, lit, Lane};
+
+/// The crescent. In cases 1 and 4 `tau` and `area` are zero, and the other fields are unspecified.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(crate) struct Crescent<L> {
+    /// `tau = sqrt(1 - kappa^2)`.
+    pub tau: L,
+    /// Its projected solid angle.
+    pub area: L,
+    /// `kappa = |Z|/s` in [0, 1).
+    pub kappa: L,
+    /// `t_x` and `t_y`: where boundary and horizon meet.
+    pub t_x: L,
+    pub t_y: L,
+    /// `1 - t_x`.
+    pub width: L,
+    /// `e = kappa t_x = |c_z| / r_z`: where the horizon cuts the ellipse, relative to its half axis.
+    pub cut: L,
+    /// `H(t_x)` and `H[t_x, e]`.
+    pub shape: L,
+    pub shape_difference: L,
+    /// `N`, in [4/15, pi/2].
+    pub norm: L,
+}
+blend_fields!(Crescent { tau, area; only kappa, t_x, t_y, width, cut, shape, shape_difference, norm });
+
+impl<L: Lane> Crescent<L> {
+    /// That of a sphere that the horizon cuts, with `v d` and `X d`.
+    #[inline(always)]
+    pub(super) fn new(sphere: &Sphere<L>, horizon: &Horizon<L>, v_d: L, x_d: L) -> Self {
+        let r = sphere.lengths.radius;
+        let q_root = horizon.q.sqrt();
+        // One division for two.
+        let inv_both = lit(1.0) / (x_d * r);
+        let (inv_x_d, inv_r) = (inv_both * r, inv_both * x_d);
+        let (t_x, t_y) = (v_d * inv_x_d, q_root * inv_x_d);
+        let width = t_y * t_y / (lit(1.0) + t_x);
+        let kappa = horizon.height.abs() * inv_r;
+        let cut = kappa * t_x;
+        let (shape, shape_difference) = shape_and_difference(t_x, cut);
+        let norm = cut.fma(shape_difference, shape);
+        let area = t_y * t_y * t_y * (horizon.beyond * inv_r) * norm;
+        Self { tau: q_root * inv_r, area, kappa, t_x, t_y, width, cut, shape, shape_difference, norm }
+    }
+
+    /// Where there is none.
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let zero = L::lit(0.0);
+        Self {
+            tau: zero,
+            area: zero,
+            kappa: zero,
+            t_x: zero,
+            t_y: zero,
+            width: zero,
+            cut: zero,
+            shape: zero,
+            shape_difference: zero,
+            norm: zero,
+        }
+    }
+
+    /// Whether there is one.
+    #[inline(always)]
+    pub(crate) fn exists(&self) -> L::Mask {
+        L::lit(0.0).lt(self.tau)
+    }
+
+    /// `t_y^3`: every area is this times something of order one.
+    #[inline(always)]
+    pub(crate) fn t_y_cubed(&self) -> L {
+        self.t_y * self.t_y * self.t_y
+    }
+
+    /// `H(e)`.
+    #[inline(always)]
+    pub(crate) fn shape_cut(&self) -> L {
+        (self.cut - self.t_x).fma(self.shape_difference, self.shape)
+    }
+}
