@@ -162,7 +162,7 @@ header: ## Remake the headers in include from src/ffi.
 	SPHERECAP_WRITE_HEADER=1 cargo test --release --locked --test header
 
 accuracy: ## Remake docs/accuracy.md from what the kernels give.
-	SPHERECAP_WRITE_ACCURACY=1 cargo test --release --locked --test accuracy
+	SPHERECAP_WRITE_ACCURACY=1 cargo test --release --locked --test kernels accuracy
 
 bench: ## What sampling costs, beside solid angles and the published method; also as out/bench.json.
 	cargo bench --locked --bench cost
@@ -202,7 +202,7 @@ hashes: ## Remake tests/data/hashes.txt from what the kernels give, where formul
 
 test-long: ## The random tests and the hashes, with many more inputs than in `make test`: about ten minutes.
 	SPHERECAP_LONG_HASHES=1 cargo test --release --locked --lib hashes
-	PROPTEST_CASES=20000000 cargo test --release --locked --test strata
+	PROPTEST_CASES=20000000 cargo test --release --locked --test kernels strata
 	SPHERECAP_FUZZ_TRIALS=100000000 cargo test --release --locked --test c_abi numbers_of_every_kind
 
 fits: $(VENV)/installed ## Remake the fitted constants in src/fits.rs.

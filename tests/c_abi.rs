@@ -3,6 +3,7 @@
 //!
 //! The programs are in `tests/c/` and `examples/`. A compiler or a sanitizer that is missing is a failure.
 
+#[allow(dead_code)] // the kernels' tests use all of it
 mod common;
 
 use common::{hard_scenes, reference_caps, strategies, Random, ReferenceCap, Scene};
@@ -501,7 +502,7 @@ fn c_gives_the_bits_that_rust_gives_in_double_precision() {
     check_bits::<f64>("tests/c/bits_f64.c");
 }
 
-/// The 25-digit values, as `tests/reference.rs` holds Rust to them.
+/// The 25-digit values, as `tests/kernels/reference.rs` holds Rust to them.
 #[test]
 fn areas_in_double_precision_from_c() {
     let rows = reference_caps();

@@ -1,7 +1,5 @@
 //! What the tests share: caps that cover every case and every hard corner, reference rows, and random numbers.
 
-#![allow(dead_code)] // each test uses its part
-
 pub mod distortion;
 pub mod quadrature;
 pub mod strata;

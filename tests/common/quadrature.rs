@@ -2,7 +2,7 @@
 //! over [0, 1). Cells of a grid in them have equal solid angles, however small the cap.
 
 use super::{dot, Scene};
-use spherecap::{Offset, Sampler};
+use spherecap::Offset;
 use std::f64::consts::{PI, TAU};
 
 /// How far the midpoint rules may be off in all: they are worst at the limb of a sphere that nearly touches, where
@@ -66,10 +66,6 @@ impl Cells {
             }
         }
         cells
-    }
-
-    pub fn probabilities_of(&self, fine: usize, sampler: &Sampler<f64>) -> Vec<f64> {
-        self.probabilities(fine, |offset| sampler.pdf(offset).solid_angle)
     }
 }
 

@@ -1,10 +1,8 @@
 //! Batches give, to the bit, what the scalar sampler gives for each element alone: with every instruction set that this machine
 //! has, for arrays of any length, at any address.
 
-mod common;
-
-use common::strata::{scene, STRATA};
-use common::{hard_scenes, lanes, reference_caps, Random, Scene, TECHNIQUES};
+use crate::common::strata::{scene, STRATA};
+use crate::common::{hard_scenes, lanes, reference_caps, Random, Scene, TECHNIQUES};
 use spherecap::batch::{Batch, Densities, Instructions, Measures, Samples};
 use spherecap::{
     Density, Hemispheres, Offset, Receiver, Refusal, Sample, Sampler, Strategy, Vec3, UNIT_TOLERANCE,

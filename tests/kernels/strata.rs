@@ -1,10 +1,8 @@
-//! Random inputs near everything that goes wrong, and random bits: f32 against the f64 kernel, which `tests/reference.rs` checks
+//! Random inputs near everything that goes wrong, and random bits: f32 against the f64 kernel, which `tests/kernels/reference.rs` checks
 //! against 25 digits. `PROPTEST_CASES` changes how many (`make test-long` does).
 
-mod common;
-
-use common::strata::{nearly_set, scene, OCTAVES, STRATA};
-use common::{dot, lanes, neighbours, widen, Random, Scene, TECHNIQUES};
+use crate::common::strata::{nearly_set, scene, OCTAVES, STRATA};
+use crate::common::{dot, lanes, neighbours, widen, Random, Scene, TECHNIQUES};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use spherecap::{Cap, Hemispheres, Refusal, Strategy, Technique};

@@ -1,9 +1,7 @@
 //! The maps are continuous where their parts meet: along the numbers, and as the centre crosses the horizon or the sphere starts to
-//! touch it. What low-discrepancy points gain by that is measured in `tests/accuracy.rs`.
+//! touch it. What low-discrepancy points gain by that is measured in `tests/kernels/accuracy.rs`.
 
-mod common;
-
-use common::TECHNIQUES;
+use crate::common::TECHNIQUES;
 use spherecap::{Hemispheres, Offset, Receiver, Sampler, Strategy, Technique};
 
 fn sampler(technique: Technique, s: f64, z: f64) -> Sampler<f64> {

@@ -1,8 +1,6 @@
 //! The choice among lights: every light as often as its probability says, what is left of the random number uniform, strata kept.
 
-mod common;
-
-use common::{strategies, Random};
+use crate::common::{strategies, Random};
 use spherecap::lights::{Choice, Lights, Total};
 use spherecap::{Cap, Hemispheres, Receiver, Sampler, Vec3};
 

@@ -2,10 +2,8 @@
 //! against the double-precision density, in the cap's own coordinates so that small caps are resolved, for every technique,
 //! mixture and case; and that every density integrates to one.
 
-mod common;
-
-use common::quadrature::{chi_square_deviate, Cells, CrescentCells, QUADRATURE};
-use common::{dot, hard_scenes, oblique, strategies, Random, Scene};
+use crate::common::quadrature::{chi_square_deviate, Cells, CrescentCells, QUADRATURE};
+use crate::common::{dot, hard_scenes, oblique, strategies, Random, Scene};
 use spherecap::{Hemispheres, Offset, Refusal, Sampler, Strategy, Technique};
 
 const SAMPLES: usize = 50_000;

@@ -1,9 +1,7 @@
 //! The density against the map itself: a density is one over the area that the map gives to a unit of the square. And the
 //! paper's promises on how far the density of its technique varies.
 
-mod common;
-
-use common::{dot, hard_scenes, neighbours, widen, Random, Scene};
+use crate::common::{dot, hard_scenes, neighbours, widen, Random, Scene, TECHNIQUES};
 use spherecap::{density_bound_for_radius, Hemispheres, Receiver, Sampler, Strategy, Technique};
 
 /// Solid angle per unit of the square around `u`, by differences of fourth order.
@@ -71,7 +69,7 @@ fn the_density_is_that_of_the_map() {
 #[test]
 fn single_precision_has_the_density_of_double() {
     let mut random = Random(22);
-    for technique in common::TECHNIQUES {
+    for technique in TECHNIQUES {
         let (mut worst, mut worst_plain) = (0.0_f64, 0.0_f64);
         for scene in hard_scenes(&mut random) {
             let single = Strategy { technique, ..Strategy::default() };
@@ -190,7 +188,7 @@ fn the_conservative_bound_is_the_papers() {
 /// Where the technique is uniform the bound is one, and that of solid-angle sampling the ratio of the extreme cosines.
 #[test]
 fn other_bounds() {
-    for technique in common::TECHNIQUES {
+    for technique in TECHNIQUES {
         let strategy = Strategy { technique, ..Strategy::default() };
         let above = Scene { normal: [0.0, 0.0, 1.0], centre: [0.6, 0.0, 0.8], radius: 0.5 };
         let cut = Scene { normal: [0.0, 0.0, 1.0], centre: [0.8, 0.0, 0.1], radius: 0.5 };

@@ -1,10 +1,8 @@
 //! The importance of a light: a bound of what it gives, close to it, and never 0 where the kernel samples; by every instruction set
 //! the same bits.
 
-mod common;
-
-use common::strata::{nearly_set, scene, OCTAVES};
-use common::{dot, hard_scenes, lanes, reference_caps, Random, Scene, TECHNIQUES};
+use crate::common::strata::{nearly_set, scene, OCTAVES};
+use crate::common::{dot, hard_scenes, lanes, reference_caps, Random, Scene, TECHNIQUES};
 use spherecap::batch::{Batch, Instructions};
 use spherecap::lights::{Lights, Total};
 use spherecap::{Cap, Hemispheres, Receiver, Refusal, Sampler, Scalar, Strategy, Technique, Vec3};

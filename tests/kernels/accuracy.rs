@@ -3,11 +3,9 @@
 //! Nothing in it depends on the machine: the kernels fuse what they say they fuse and call no platform's functions, and the inputs
 //! are made by exact or correctly rounded operations.
 
-mod common;
-
-use common::distortion::errors;
-use common::strata::{scene, STRATA};
-use common::{reference_caps, widen, Random, Scene, TECHNIQUES};
+use crate::common::distortion::errors;
+use crate::common::strata::{scene, STRATA};
+use crate::common::{reference_caps, widen, Random, Scene, TECHNIQUES};
 use spherecap::{Hemispheres, Offset, Sampler, Scalar, Strategy, Technique};
 use std::fmt::Write as _;
 use std::{env, fs, path::Path};
@@ -107,7 +105,7 @@ fn areas(page: &mut String) {
          spheres, large or small, of which next to nothing is left above the horizon: with an oblique normal a centre's height is \
          known in f32 to about 2^-48 of its distance d, and the area goes with up to the 5/2 power of what is left, b = r + n·C. So \
          beside some 1e-6 an area is off by about 5/2 · 2^-48 d/b, and never by more than 7 times that, which matters where \
-         b < 1e-8 d. (`tests/strata.rs` derives it, and holds spheres of every size to it.)",
+         b < 1e-8 d. (`tests/kernels/strata.rs` derives it, and holds spheres of every size to it.)",
     );
     let mut solid = Table::new("Solid angle", "Relative error, likewise.");
     for row in reference_caps() {
@@ -177,7 +175,7 @@ fn samples(page: &mut String) {
         Table::new(
             name,
             "Largest of |invert(sample(u)) - u|, each precision by itself. Three numbers of a precision do not tell everything: \
-             `tests/properties.rs` has what they tell, and holds the inverse to it. (In f64 a normal of f32 numbers is off unit length by up to 1e-7, and so are some inverses.)",
+             `tests/kernels/properties.rs` has what they tell, and holds the inverse to it. (In f64 a normal of f32 numbers is off unit length by up to 1e-7, and so are some inverses.)",
         )
     });
     let mut directions = Table::new(
@@ -278,10 +276,10 @@ fn distortion(page: &mut String) {
 fn page() -> String {
     let mut page = String::from(
         "# Accuracy\n\n\
-         Made by `make accuracy` from `tests/accuracy.rs`; a test fails when it is stale. Worst and median errors, and the\n\
+         Made by `make accuracy` from `tests/kernels/accuracy.rs`; a test fails when it is stale. Worst and median errors, and the\n\
          input that gives the worst: a row of `tests/data/caps.csv`, or the bits of f32 numbers (normal, centre, radius, and the\n\
          random numbers where there are any).\n\n\
-         The first groups are those of the reference values (`tests/reference.rs`), whose inputs are exact. The others are strata\n\
+         The first groups are those of the reference values (`tests/kernels/reference.rs`), whose inputs are exact. The others are strata\n\
          of caps near one hard thing, in random orientation, at distances from 2^-20 to 2^20:\n\n",
     );
     for (name, text) in STRATA {

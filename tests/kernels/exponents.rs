@@ -1,9 +1,7 @@
 //! Every exponent that r/d can have in single precision, and distances over all the scales that worlds have: the sphere at the
 //! zenith, centred on the horizon, cut and nearly set; against the f64 kernel on the same inputs.
 
-mod common;
-
-use common::{dot, Scene};
+use crate::common::{dot, Scene};
 use spherecap::{Cap, Refusal, Strategy};
 
 /// Below `s^2 = MIN_POSITIVE / EPSILON` (`cap.rs`) differences of `s^2` underflow: such a sphere lights nothing.

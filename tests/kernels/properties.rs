@@ -1,8 +1,6 @@
 //! What holds for every sample, over every technique, mixture, case and hard corner, in f32 and f64.
 
-mod common;
-
-use common::{dot, hard_scenes, neighbours, oblique, strategies, widen, Random, Scene, RADII};
+use crate::common::{dot, hard_scenes, neighbours, oblique, strategies, widen, Random, Scene, RADII};
 use spherecap::{
     Cap, Density, Hemispheres, Offset, Receiver, Refusal, Sample, Sampler, Scalar, Strategy, Technique,
 };

@@ -1,9 +1,7 @@
 //! The 25-digit reference values: projected solid angles of 400 caps and 416 densities of the paper's case 3. No row is
 //! excused: the inputs are exact in binary32, so conditioning is no reason to miss one.
 
-mod common;
-
-use common::{dot, lanes, reference_caps, rows, Scene};
+use crate::common::{dot, hex_float, lanes, reference_caps, rows, Scene};
 use spherecap::{Cap, Hemispheres, Offset, Refusal, Scalar, Strategy, Technique};
 use std::collections::BTreeMap;
 
@@ -97,9 +95,9 @@ fn densities<F: Scalar>() -> [Groups; 2] {
         defensive: F::lit(0.0),
     };
     let mut count = 0;
-    for row in rows(include_str!("data/densities.csv")) {
+    for row in rows(include_str!("../data/densities.csv")) {
         let cap = &caps[row[1].parse::<usize>().expect("an id")];
-        let direction = [2, 3, 4].map(|i| common::hex_float(row[i]));
+        let direction = [2, 3, 4].map(|i| hex_float(row[i]));
         let expected: f64 = row[5].parse().expect("a density");
         let Offset { zenith, side, cosine } = offset_in_reference_frame(&cap.scene, direction);
         let offset = Offset { zenith: F::lit(zenith), side: F::lit(side), cosine: F::lit(cosine) };
