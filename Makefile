@@ -32,7 +32,7 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
     lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross lights test test-rust prepare-test-python test-python test-mitsubas cuda-check test-long lint format build library install \
+.PHONY: help demo cross lights check test test-rust prepare-test-python test-python test-mitsubas cuda-check test-long lint format build library install \
     uninstall doc package msrv valgrind header accuracy hashes bench instructions report fits picture clean FORCE
 
 help: ## List the targets.
@@ -48,6 +48,11 @@ cross: ## Compare several renderers.
 
 lights: build ## What the choice among several lights gains: a table of equal-time ratios.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/many_lights.py
+
+# What cargo makes for it is kept apart from the release, by file and in small pieces: of an edited kernel, only the pieces that use
+# it are compiled again.
+check: lint ## Formatting, warnings and the tests of the kernels with fewer inputs: less than a minute.
+	SPHERECAP_TESTS=quick cargo test --profile quick --locked --lib --test header --test kernels
 
 # What Python's tests need is built and downloaded while Rust's tests run.
 test: lint ## Run all tests.
@@ -201,9 +206,9 @@ hashes: ## Remake tests/data/hashes.txt from what the kernels give, where formul
 	SPHERECAP_WRITE_HASHES=1 cargo test --release --locked --lib hashes
 
 test-long: ## The random tests and the hashes, with many more inputs than in `make test`: about ten minutes.
-	SPHERECAP_LONG_HASHES=1 cargo test --release --locked --lib hashes
-	PROPTEST_CASES=20000000 cargo test --release --locked --test kernels strata
-	SPHERECAP_FUZZ_TRIALS=100000000 cargo test --release --locked --test c_abi numbers_of_every_kind
+	SPHERECAP_TESTS=long cargo test --release --locked --lib hashes
+	SPHERECAP_TESTS=long cargo test --release --locked --test kernels strata::
+	SPHERECAP_TESTS=long cargo test --release --locked --test c_abi numbers_of_every_kind
 
 fits: $(VENV)/installed ## Remake the fitted constants in src/fits.rs.
 	$(BIN)/python -m fits

@@ -16,7 +16,10 @@ use core::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// Inputs that share a strategy, and how many such blocks `cargo test` and `make test-long` take.
+#[path = "../tests/common/inputs.rs"]
+mod inputs;
+
+/// Inputs that share a strategy, and how many such blocks are hashed in `make test` and in `make test-long`.
 const BLOCK: usize = 1 << 10;
 const QUICK: usize = 1 << 4;
 const LONG: usize = 1 << 10;
@@ -464,9 +467,8 @@ fn lines(text: &mut String, precision: &str, technique: &str, hashes: &Hashes) {
 
 #[test]
 fn every_lane_gives_the_bits_that_it_gave() {
-    let is_set = |name| std::env::var_os(name).is_some();
-    let is_written = is_set("SPHERECAP_WRITE_HASHES");
-    let blocks = if is_written || is_set("SPHERECAP_LONG_HASHES") { LONG } else { QUICK };
+    let is_written = std::env::var_os("SPHERECAP_WRITE_HASHES").is_some();
+    let blocks = if is_written { LONG } else { inputs::inputs(QUICK, QUICK, LONG) };
     let mut ways = vec![Way::Scalar, Way::Recorded];
     for instructions in Instructions::ALL {
         if instructions.are_available() {

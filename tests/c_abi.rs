@@ -6,6 +6,7 @@
 #[allow(dead_code)] // the kernels' tests use all of it
 mod common;
 
+use common::inputs::inputs;
 use common::{hard_scenes, reference_caps, strategies, Random, ReferenceCap, Scene};
 use spherecap::batch::Instructions;
 use spherecap::{Density, Receiver, Refusal, Sampler, Scalar, Strategy};
@@ -318,10 +319,10 @@ fn lights_from_c_have_the_importances_that_rust_gives() {
 #[test]
 fn numbers_of_every_kind_do_no_harm() {
     print!("{}", run_both("tests/c/fuzz.c", ""));
-    // The long run, of `make test-long`: more trials, without sanitizers to slow them down.
-    if let Ok(trials) = std::env::var("SPHERECAP_FUZZ_TRIALS") {
+    // The long run: more trials, without sanitizers to slow them down.
+    if let Some(trials) = inputs(None, None, Some("100000000")) {
         let program = build("tests/c/fuzz.c", false);
-        let report = run(&program, &[&trials], "");
+        let report = run(&program, &[trials], "");
         print!("{}", report.unwrap_or_else(|report| panic!("{}: {report}", program.display())));
     }
 }

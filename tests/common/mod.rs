@@ -1,6 +1,7 @@
 //! What the tests share: caps that cover every case and every hard corner, reference rows, and random numbers.
 
 pub mod distortion;
+pub mod inputs;
 pub mod quadrature;
 pub mod strata;
 

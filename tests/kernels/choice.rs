@@ -1,5 +1,6 @@
 //! The choice among lights: every light as often as its probability says, what is left of the random number uniform, strata kept.
 
+use crate::common::inputs::inputs;
 use crate::common::{strategies, Random};
 use spherecap::lights::{Choice, Lights, Total};
 use spherecap::{Cap, Hemispheres, Receiver, Sampler, Vec3};
@@ -22,14 +23,14 @@ fn deviates(chi2: f64, freedom: f64) -> f64 {
 #[test]
 fn lights_are_chosen_as_often_as_their_probability_says_and_the_rest_is_uniform() {
     const BINS: usize = 8;
+    let trials = inputs(100_000, 1_000_000, 1_000_000);
     let mut random = Random(21);
     for (count, decades) in [(2, 1.0), (3, 4.0), (10, 2.0), (17, 0.0), (100, 3.0), (400, 1.0)] {
         let importances = importances(count, decades, &mut random);
         let total = Total::of(&importances);
         for even in EVEN {
-            const TRIALS: usize = 1_000_000;
             let mut counts = vec![0_usize; count * BINS];
-            for _ in 0..TRIALS {
+            for _ in 0..trials {
                 let choice = total.choose(&importances, even, random.unit() as f32);
                 let Choice { index, probability, rest } = choice;
                 assert_eq!(probability.to_bits(), total.probability(importances[index], even).to_bits());
@@ -40,7 +41,7 @@ fn lights_are_chosen_as_often_as_their_probability_says_and_the_rest_is_uniform(
             let (mut chi2, mut cells, mut few) = (0.0, -1.0, [0.0; 2]);
             for (cell, &found) in counts.iter().enumerate() {
                 let probability = f64::from(total.probability(importances[cell / BINS], even)) / BINS as f64;
-                let (found, expected) = (found as f64, probability * TRIALS as f64);
+                let (found, expected) = (found as f64, probability * f64::from(trials));
                 few = [few[0] + found, few[1] + expected];
                 if few[1] >= 20.0 {
                     chi2 += (few[0] - few[1]).powi(2) / few[1];
@@ -206,6 +207,8 @@ fn no_importance_makes_a_probability_wrong() {
 #[test]
 fn samples_of_one_light_at_a_time_add_up_to_what_all_give() {
     let mut random = Random(27);
+    // A deviation that would be noticed goes with one over the root of the trials.
+    let (trials, noticed) = inputs((75_000, 0.04), (1_200_000, 0.01), (1_200_000, 0.01));
     const COUNT: usize = 24;
     let mut array = |low, high| (0..COUNT).map(|_| random.within(low, high) as f32).collect::<Vec<f32>>();
     let [x, y, z] = [array(-4.0, 4.0), array(-4.0, 4.0), array(-1.5, 3.0)];
@@ -232,9 +235,8 @@ fn samples_of_one_light_at_a_time_add_up_to_what_all_give() {
                     f64::from(strength[i]) * (of([0.0, 0.0, 1.0]) + below)
                 })
                 .sum();
-            const TRIALS: usize = 1_200_000;
             let (mut sum, mut square) = (0.0, 0.0);
-            for _ in 0..TRIALS {
+            for _ in 0..trials {
                 let Choice { index: i, probability, rest } =
                     total.choose(&importances, 0.05, random.unit() as f32);
                 // A light that has set by a rounding may be chosen, and gives nothing.
@@ -246,14 +248,13 @@ fn samples_of_one_light_at_a_time_add_up_to_what_all_give() {
                     f64::from(strength[i] * cosine) / f64::from(probability * sample.density.solid_angle);
                 (sum, square) = (sum + weight, square + weight * weight);
             }
-            let mean = sum / TRIALS as f64;
-            let deviation = ((square / TRIALS as f64 - mean * mean) / TRIALS as f64).sqrt();
+            let mean = sum / f64::from(trials);
+            let deviation = ((square / f64::from(trials) - mean * mean) / f64::from(trials)).sqrt();
             assert!(
                 (mean - exact).abs() < 4.0 * deviation,
                 "{strategy:?} {point:?}: {mean}, not {exact}, to {deviation}"
             );
-            // One per cent would be noticed.
-            assert!(4.0 * deviation < 0.01 * exact, "{strategy:?} {point:?}: {mean} to {deviation}");
+            assert!(4.0 * deviation < noticed * exact, "{strategy:?} {point:?}: {mean} to {deviation}");
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The importance of a light: a bound of what it gives, close to it, and never 0 where the kernel samples; by every instruction set
 //! the same bits.
 
+use crate::common::inputs::inputs;
 use crate::common::strata::{nearly_set, scene, OCTAVES};
 use crate::common::{dot, hard_scenes, lanes, reference_caps, Random, Scene, TECHNIQUES};
 use spherecap::batch::{Batch, Instructions};
@@ -8,7 +9,9 @@ use spherecap::lights::{Lights, Total};
 use spherecap::{Cap, Hemispheres, Receiver, Refusal, Sampler, Scalar, Strategy, Technique, Vec3};
 use std::f64::consts::PI;
 
-const COUNT: usize = 1_200_000;
+fn count() -> usize {
+    inputs(120_000, 1_200_000, 1_200_000)
+}
 
 /// What roundings may take from an importance: 16 of half an epsilon, two thirds of them the square's of `s`.
 const ROUNDING: f64 = 1e-6;
@@ -66,7 +69,7 @@ fn importances_bound_what_lights_give_and_are_close_to_it() {
     let mut random = Random(15);
     let fixed = fixed_scenes(&mut random);
     let (mut least, mut most, mut equal, mut cut, mut set) = (f64::INFINITY, 0.0_f64, 0, 0, 0);
-    for i in 0..COUNT {
+    for i in 0..count() {
         let scene = any_scene(i, &fixed, &mut random);
         let exact = Cap::new(lanes::<f64>(scene.normal), lanes(scene.centre), scene.radius);
         let opposite = Cap::new(lanes::<f64>(scene.normal.map(|x| -x)), lanes(scene.centre), scene.radius);
@@ -123,7 +126,7 @@ fn importances_bound_what_lights_give_and_are_close_to_it() {
         assert!(double >= (1.0 - 1e-13) * given, "{double:e} of {given:e} in f64: {scene:?}");
     }
     println!("from {least} of E / pi to {most} of the upper bound; {equal} above, {cut} cut, {set} set");
-    assert!(equal > COUNT / 10 && cut > COUNT / 10 && set > COUNT / 1000);
+    assert!(equal > count() / 10 && cut > count() / 10 && set > count() / 1000);
     // The bounds are no empty promise.
     assert!(least < 1.0 && most > 0.9);
 }
@@ -135,7 +138,7 @@ fn whatever_the_kernel_samples_has_an_importance() {
     let fixed = fixed_scenes(&mut random);
     let hard = [0.0, -0.0, 1e-45, f32::MIN_POSITIVE, f32::MAX, f32::INFINITY, f32::NAN, -1.0, 1.0];
     let (mut sampled, mut bad) = (0, 0);
-    for i in 0..COUNT {
+    for i in 0..count() {
         let any = |random: &mut Random| match random.bits() % 8 {
             0 => hard[random.bits() as usize % hard.len()],
             _ => f32::from_bits(random.bits() as u32),
@@ -181,7 +184,7 @@ fn whatever_the_kernel_samples_has_an_importance() {
             assert_eq!(importance, 0.0, "inside: {}", context());
         }
     }
-    assert!(sampled > COUNT / 4 && bad > COUNT / 4, "{sampled} sampled, {bad} bad");
+    assert!(sampled > count() / 4 && bad > count() / 4, "{sampled} sampled, {bad} bad");
 }
 
 #[test]

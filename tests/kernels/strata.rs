@@ -1,6 +1,7 @@
 //! Random inputs near everything that goes wrong, and random bits: f32 against the f64 kernel, which `tests/kernels/reference.rs` checks
-//! against 25 digits. `PROPTEST_CASES` changes how many (`make test-long` does).
+//! against 25 digits.
 
+use crate::common::inputs::inputs;
 use crate::common::strata::{nearly_set, scene, OCTAVES, STRATA};
 use crate::common::{dot, lanes, neighbours, widen, Random, Scene, TECHNIQUES};
 use proptest::prelude::*;
@@ -31,7 +32,7 @@ const ROUNDING: f64 = 1.5e-6;
 fn config() -> ProptestConfig {
     let default = ProptestConfig::default();
     ProptestConfig {
-        cases: cases(),
+        cases: inputs(10_000, 100_000, 20_000_000),
         // The same in every run; `PROPTEST_RNG_SEED` gives others.
         rng_seed: match default.rng_seed {
             RngSeed::Random => RngSeed::Fixed(4),
@@ -43,10 +44,6 @@ fn config() -> ProptestConfig {
         max_local_rejects: u32::MAX,
         ..default
     }
-}
-
-fn cases() -> u32 {
-    std::env::var("PROPTEST_CASES").map_or(100_000, |n| n.parse().expect("PROPTEST_CASES is a number"))
 }
 
 /// Any f32 in [0, 1]: as many below 1e-20 as above.
