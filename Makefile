@@ -54,7 +54,7 @@ lights: build ## What the choice among several lights gains: a table of equal-ti
 check: lint ## Formatting, warnings and the tests of the kernels with fewer inputs: less than a minute.
 	SPHERECAP_TESTS=quick cargo test --profile quick --locked --lib --test header --test kernels
 
-# What Python's tests need is built and downloaded while Rust's tests run.
+# What Python's tests need is built while Rust's tests run.
 test: lint ## Run all tests.
 	$(MAKE) --jobs=2 --output-sync test-rust prepare-test-python
 	$(MAKE) package test-python
@@ -62,7 +62,7 @@ test: lint ## Run all tests.
 test-rust: ## The library and its C ABI.
 	cargo test --release --locked -- --show-output
 
-prepare-test-python: build $(C_RENDERER) $(IRRADIANCE) .venv-luxcore/installed
+prepare-test-python: build $(C_RENDERER) $(IRRADIANCE)
 
 test-python: prepare-test-python ## The fits, the plugin and the renders.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python -m pytest tests
