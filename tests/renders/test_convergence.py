@@ -6,7 +6,7 @@ All renders here use independent samples, so that error goes as 1/sqrt(n) and is
 import numpy as np
 import pytest
 from gallery import Gallery
-from plan import PLANS, Plan
+from plan import PLANS, VARIANTS, Plan
 from renderlab.estimate import Estimate
 from renderlab.floor_reference import FLOOR_SCENES, jittered_image
 from renderlab.scenes import load_scene
@@ -58,6 +58,11 @@ def test_never_noisier_than_built_in(plan: Plan, gallery: Gallery, record) -> No
         assert ours.mean() - built_in.mean() <= 3 * error
 
 
+# In one variant. The slope shows two faults, and in the other variant both are seen elsewhere: a bias by the
+# z-tests; and samples that depend on each other, as the emitter gives the same bits for the same numbers in
+# both (tests/plugin/test_recorded.py), and dependent samples would leave the z-tests too noisy to refuse a
+# copy that is 1 % too dark.
+@pytest.mark.parametrize("gallery", VARIANTS[:1], indirect=True)
 @pytest.mark.parametrize("plan", PLANS, ids=by_name)
 def test_error_falls_as_one_over_root_n(plan: Plan, gallery: Gallery, record) -> None:
     """Between 4 and 64 samples per pixel the RMSE against a precise reference has slope -1/2 or steeper.
