@@ -264,16 +264,144 @@ static void use_overwritten(void) {
     (void)spherecap_invert(sampler, offset, u);
 }
 
+// Several lights, all arrays ending where their memory does: x, y, z, radius, strength; and a normal for
+// each.
+enum { MOST_LIGHTS = 20 };
+static float *numbers[5], *normals[3], *importances, *of_batch, *probability;
+static spherecap_total_t *total;
+static spherecap_choice_t *choice;
+
+static void allocate_lights(void) {
+    for (int k = 0; k < 5; ++k) {
+        numbers[k] = (float *)guarded_memory(MOST_LIGHTS * sizeof(float));
+    }
+    for (int k = 0; k < 3; ++k) {
+        normals[k] = (float *)guarded_memory(MOST_LIGHTS * sizeof(float));
+    }
+    importances = (float *)guarded_memory(MOST_LIGHTS * sizeof(float));
+    of_batch = (float *)guarded_memory(MOST_LIGHTS * sizeof(float));
+    probability = (float *)guarded_memory(sizeof(float));
+    total = (spherecap_total_t *)guarded_memory(sizeof *total);
+    choice = (spherecap_choice_t *)guarded_memory(sizeof *choice);
+}
+
+// Importances as the library stores them, one by one and in a batch. The normal is the last that was prepared
+// with. Gives the status.
+static uint32_t weigh_lights(size_t count) {
+    const size_t first = MOST_LIGHTS - count;
+    for (size_t i = first; i < MOST_LIGHTS; ++i) {
+        float at[3];
+        some_numbers(at);
+        for (int k = 0; k < 3; ++k) {
+            numbers[k][i] = at[k];
+            normals[k][i] = normal[k];
+        }
+        numbers[3][i] = one_of(4) ? (float)length_of(at) * unit_number() : some_number();
+        numbers[4][i] = one_of(4) ? unit_number() : some_number();
+        importances[i] = of_batch[i] = -1.0f;
+    }
+    const uint32_t technique = one_of(16) == 0 ? (uint32_t)random_bits() : one_of(3);
+    const uint32_t hemispheres = one_of(16) == 0 ? (uint32_t)random_bits() : one_of(2);
+    const float defensive = one_of(16) == 0 ? some_number() : one_of(2) * unit_number();
+    const spherecap_receiver_t receiver = {
+        {normal[0], normal[1], normal[2]}, technique, hemispheres, defensive};
+    const spherecap_lights_t lights = {count,
+                                       {numbers[0] + first, numbers[1] + first, numbers[2] + first},
+                                       numbers[3] + first,
+                                       numbers[4] + first};
+    const int is_at_origin = one_of(2) == 0;
+    memset(direction, 0, 3 * sizeof *direction);
+    if (!is_at_origin) {
+        some_numbers(direction);
+    }
+    uint32_t status;
+    CALL(status, total, spherecap_importances(&receiver, direction, &lights, importances + first, total));
+    CHECK(status == SPHERECAP_STATUS_OK ||
+          (SPHERECAP_STATUS_TECHNIQUE <= status && status <= SPHERECAP_STATUS_NORMAL));
+    uint32_t lit = 0;
+    for (size_t i = first; i < MOST_LIGHTS; ++i) {
+        if (status) {
+            CHECK(importances[i] == -1.0f);
+            continue;
+        }
+        CHECK(importances[i] == 0.0f || (FLT_MIN <= importances[i] && importances[i] <= FLT_MAX));
+        CHECK(importances[i] == 0.0f || (0.0f < numbers[4][i] && numbers[4][i] <= FLT_MAX));
+        lit += importances[i] > 0.0f;
+    }
+    CHECK(total->lit == lit && 0.0f <= total->sum && total->sum <= FLT_MAX);
+
+    // The centres minus a point of zeros are the centres: the same bits.
+    const spherecap_batch_t batch = {technique,
+                                     hemispheres,
+                                     defensive,
+                                     count,
+                                     {normals[0] + first, normals[1] + first, normals[2] + first},
+                                     {numbers[0] + first, numbers[1] + first, numbers[2] + first},
+                                     numbers[3] + first};
+    const uint32_t of_all = spherecap_batch_importances(&batch, numbers[4] + first, of_batch + first, NULL);
+    CHECK(of_all == status || status == SPHERECAP_STATUS_NORMAL);
+    if (is_at_origin && status == SPHERECAP_STATUS_OK) {
+        CHECK(memcmp(of_batch + first, importances + first, count * sizeof *importances) == 0);
+    }
+    return status;
+}
+
+// Choices by importances: those of lights, or any numbers. Gives the status of the choice.
+static uint32_t use_lights(unsigned long *chosen) {
+    const size_t count = one_of(MOST_LIGHTS + 1), first = MOST_LIGHTS - count;
+    uint32_t status = weigh_lights(count);
+    if (status || one_of(2)) {
+        for (size_t i = first; i < MOST_LIGHTS; ++i) {
+            importances[i] = some_number();
+        }
+        CALL(status, total, spherecap_total(importances + first, count, total));
+        CHECK(status == SPHERECAP_STATUS_OK && total->lit <= count);
+        CHECK(0.0f <= total->sum && total->sum <= FLT_MAX);
+    }
+    const float even = one_of(4) ? unit_number() : some_number();
+    const uint32_t expected = 0.0f <= even && even <= 1.0f ? SPHERECAP_STATUS_OK : SPHERECAP_STATUS_EVEN;
+    CALL(status, choice, spherecap_choose(importances + first, count, total, even, random_number(), choice));
+    CHECK(status == expected);
+    if (total->lit == 0) {
+        CHECK(choice->index == 0 && choice->probability == 0.0f);
+    } else if (status == SPHERECAP_STATUS_OK) {
+        ++*chosen;
+        CHECK(choice->index < count && is_in_unit_interval(choice->rest));
+        const float importance = importances[first + choice->index];
+        CHECK(importance > 0.0f && choice->probability <= 1.0f + FLT_EPSILON);
+        // Zero only where no float is as small.
+        const double least =
+            (1.0 - (double)even) * (double)fminf(importance, ldexpf(1.0f, 95)) / (double)total->sum;
+        CHECK(0.0f < choice->probability || least + (double)even / total->lit < ldexp(1.0, -149));
+        CALL(status, probability, spherecap_choice_probability(importance, total, even, probability));
+        CHECK(memcmp(probability, &choice->probability, sizeof *probability) == 0);
+    }
+    const float any = count == 0 ? 0.0f : importances[first + one_of((unsigned)count)];
+    CALL(status, probability, spherecap_choice_probability(any, total, even, probability));
+    CHECK(status == expected && 0.0f <= *probability && *probability <= 1.0f + FLT_EPSILON);
+
+    // A total that belongs to no importances: no value is promised, only that the calls return.
+    const spherecap_total_t wrong = {any_number(), (uint32_t)random_bits()};
+    CALL(status, choice,
+         spherecap_choose(importances + first, count, &wrong, unit_number(), random_number(), choice));
+    CHECK(count == 0 ? choice->index == 0 : choice->index < count);
+    CALL(status, probability, spherecap_choice_probability(some_number(), &wrong, even, probability));
+    return expected;
+}
+
 int main(int count, char **arguments) {
     const unsigned long trials = count > 1 ? strtoul(arguments[1], NULL, 10) : 400000;
     unsigned long met[SPHERECAP_STATUS_DIRECTION + 1] = {0};
+    unsigned long chosen = 0, uneven = 0;
     allocate();
+    allocate_lights();
     for (unsigned long trial = 0; trial < trials; ++trial) {
         state = trial << 32; // a failing trial can be repeated alone
         const uint32_t status = prepare();
         ++met[status];
         use(status);
         use_overwritten();
+        uneven += use_lights(&chosen) == SPHERECAP_STATUS_EVEN;
     }
     // Trials that meet nothing test nothing.
     for (uint32_t status = 0; status <= SPHERECAP_STATUS_RADIUS; ++status) {
@@ -281,5 +409,7 @@ int main(int count, char **arguments) {
         CHECK(status == SPHERECAP_STATUS_NULL_POINTER || met[status] * 1000 > trials);
     }
     CHECK(met[SPHERECAP_STATUS_OK] * 4 > trials);
+    printf("%lu of %lu: one of several lights was chosen\n", chosen, trials);
+    CHECK(chosen * 2 > trials && uneven * 100 > trials);
     return 0;
 }
