@@ -23,8 +23,9 @@ static const double PI = 3.14159265358979323846;
 // Directions come in single precision, so at grazing angles a shadow ray may cross its own surface within a
 // millionth.
 static const double RAY_START = 1e-6;
-// The part of the choice among lights that all share alike, for where the brightest are hidden.
-static const float EVEN = 0.02f;
+// The part of the choice among lights that all share alike, for where the brightest are hidden: as in the
+// Mitsuba plugin (lights.h), where its cost and its gain were measured.
+static const float EVEN = 0.05f;
 
 typedef struct {
     double x[3];
