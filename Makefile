@@ -15,7 +15,7 @@ MITSUBAS := $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) 3.6.4)
 C_RENDERER := build/renderer
 IRRADIANCE := build/irradiance
 CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h tests/install/*.c examples/*.c \
-    tools/cuda/emulator/*.[ch])
+    examples/c/*.c tools/cuda/emulator/*.[ch])
 
 # `make demo SCENE=cut_light VARIANT=scalar_rgb SPP=16`
 SCENE ?= cut_light
@@ -29,7 +29,7 @@ MSRV := $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 ABI := $(shell sed -n 's/^#define SPHERECAP_ABI //p' include/spherecap.h)
 INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a lib/libspherecap.so.$(VERSION) lib/libspherecap.so.$(ABI) \
     lib/libspherecap.so lib/pkgconfig/spherecap.pc lib/cmake/spherecap/spherecapConfig.cmake \
-    lib/cmake/spherecap/spherecapConfigVersion.cmake share/spherecap/cmake/FindMitsubaWheel.cmake
+    lib/cmake/spherecap/spherecapConfigVersion.cmake
 
 .DEFAULT_GOAL := help
 .PHONY: help demo cross lights check test test-rust prepare-test-python test-python test-mitsubas cuda-check test-long lint format build library install \
@@ -68,14 +68,14 @@ test-python: prepare-test-python ## The fits, the plugin and the renders.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python -m pytest tests
 
 lint: $(VENV)/installed doc ## Formatting and warnings, as errors.
-	cargo fmt --check
+	cargo fmt --check -- tools/cross/irradiance.rs
 	cargo clippy --release --locked --all-targets -- -D warnings
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/clang-format --dry-run -Werror $(CPP)
 
 format: $(VENV)/installed ## Format all sources.
-	cargo fmt
+	cargo fmt -- tools/cross/irradiance.rs
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
 	$(BIN)/clang-format -i $(CPP)
@@ -87,7 +87,7 @@ $(LIBRARY): FORCE
 
 # Ninja and rustc would look for the jobserver of a make that runs several jobs, which is for sub-makes alone: MAKEFLAGS is not
 # for them.
-$(PLUGIN): $(LIBRARY) $(VENV)/installed $(HEADERS) $(wildcard mitsuba_plugin/*.* mitsuba_plugin/cmake/*)
+$(PLUGIN): $(LIBRARY) $(VENV)/installed $(HEADERS) $(wildcard mitsuba_plugin/*.* mitsuba_plugin/spherecap/cmake/*)
 	$(BIN)/cmake -S mitsuba_plugin -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
 	    -DCMAKE_MAKE_PROGRAM="$(CURDIR)/$(BIN)/ninja" -DMitsubaWheel_PYTHON="$(CURDIR)/$(BIN)/python" \
 	    -DSPHERECAP_LIBRARY="$(CURDIR)/$(LIBRARY)"
@@ -99,9 +99,9 @@ $(C_RENDERER): tests/c/renderer.c include/spherecap.h $(LIBRARY)
 	$(CC) -std=c99 -O2 -Wall -Wextra -Werror -pedantic -Iinclude $< $(LIBRARY) -lpthread -ldl -lm -o $@
 
 # Not by cargo, which would compile everything that the tests need for it, too.
-$(IRRADIANCE): examples/irradiance.rs $(LIBRARY)
+$(IRRADIANCE): tools/cross/irradiance.rs $(LIBRARY)
 	mkdir -p $(@D)
-	MAKEFLAGS= rustc --edition 2021 -O -C panic=abort -L dependency=target/release/deps --extern spherecap=target/release/libspherecap.rlib \
+	MAKEFLAGS= rustc --edition 2021 -D warnings -O -C panic=abort -L dependency=target/release/deps --extern spherecap=target/release/libspherecap.rlib \
 	    $< -o $@
 
 # The other renderers are large, and want other versions of the same packages: each has an environment of its own.
@@ -141,14 +141,13 @@ install: library ## Install the C library below PREFIX (/usr/local), with pkg-co
 	install -m 755 $(SHARED) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so.$(VERSION)"
 	ln -sf libspherecap.so.$(VERSION) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so.$(ABI)"
 	ln -sf libspherecap.so.$(ABI) "$(DESTDIR)$(PREFIX)/lib/libspherecap.so"
-	install -m 644 mitsuba_plugin/cmake/FindMitsubaWheel.cmake "$(DESTDIR)$(PREFIX)/share/spherecap/cmake"
 	for file in pkgconfig/spherecap.pc cmake/spherecap/spherecapConfig.cmake cmake/spherecap/spherecapConfigVersion.cmake; do \
 	    sed 's/@VERSION@/$(VERSION)/; s/@ABI@/$(ABI)/' packaging/$${file##*/}.in > "$(DESTDIR)$(PREFIX)/lib/$$file" || exit 1; \
 	done
 
 uninstall: ## Remove what `make install` installed.
 	rm -f $(foreach file,$(INSTALLED),"$(DESTDIR)$(PREFIX)/$(file)")
-	-rmdir "$(DESTDIR)$(PREFIX)/lib/cmake/spherecap" "$(DESTDIR)$(PREFIX)/share/spherecap/cmake" "$(DESTDIR)$(PREFIX)/share/spherecap"
+	-rmdir "$(DESTDIR)$(PREFIX)/lib/cmake/spherecap"
 
 doc: ## The documentation of the crate, in target/doc/spherecap.
 	RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps
@@ -189,11 +188,11 @@ test-mitsubas: build $(MITSUBAS) ## The plugin with other releases of Mitsuba: l
 	done
 	$(BIN)/python -m pytest tests/mitsubas/smoke.py
 
-.venv-mitsuba-%/installed: requirements.txt mitsuba_plugin/cmake/FindMitsubaWheel.cmake
+.venv-mitsuba-%/installed: requirements.txt mitsuba_plugin/spherecap/cmake/FindMitsubaWheel.cmake
 	$(PYTHON) -m venv .venv-mitsuba-$*
 	@echo "Installing Mitsuba $* into .venv-mitsuba-$*: a large download."
 	@.venv-mitsuba-$*/bin/python -m pip install --quiet --disable-pip-version-check mitsuba==$* \
-	    $$(sed -n 's/.*"$*=\([0-9.]*\)".*/nanobind==\1/p' mitsuba_plugin/cmake/FindMitsubaWheel.cmake) \
+	    $$(sed -n 's/.*"$*=\([0-9.]*\)".*/nanobind==\1/p' mitsuba_plugin/spherecap/cmake/FindMitsubaWheel.cmake) \
 	    $$(grep -E '^(scikit-build-core|karellen-llvm-core|cmake|ninja|numpy|tqdm)==' requirements.txt) || { \
 	    echo "Mitsuba $* cannot be installed for $$($(PYTHON) --version): all releases have packages for CPython 3.11; try" \
 	    "again with \`make PYTHON=python3.11 test-mitsubas\`" >&2; exit 1; }

@@ -20,7 +20,7 @@
 #include "surfaces.h"
 
 // Mitsuba passes Dr.Jit arrays to plugins by value, and the compiler's flags decide their layout: with wrong
-// ones everything links, loads and renders garbage. The flags come from cmake/FindMitsubaWheel.cmake.
+// ones everything links, loads and renders garbage. The flags come from FindMitsubaWheel.cmake.
 #if !defined(__SSE4_2__)
 #error "The Mitsuba wheel is built with -march=haswell: without it this plugin would render garbage."
 #endif

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -187,7 +188,7 @@ def test_uninstall_leaves_nothing_but_what_was_there(tmp_path: Path) -> None:
     other.touch()
     make("install", f"DESTDIR={stage}", "PREFIX=/usr")
     installed = {path.relative_to(stage).as_posix() for path in stage.rglob("*") if not path.is_dir()}
-    assert len(installed) == 1 + 10, installed
+    assert len(installed) == 1 + 9, installed
     for path in stage.rglob("*"):
         if path.is_file() and path.suffix in (".pc", ".cmake"):
             assert str(stage) not in path.read_text()
@@ -243,6 +244,48 @@ def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
         assert (prefix / name).exists(), name
 
 
+@pytest.fixture
+def example(tmp_path: Path) -> Path:
+    """Return a copy of the example in C, in a folder with a space."""
+    return Path(shutil.copytree(REPOSITORY / "examples/c", tmp_path / "an example"))
+
+
+@pytest.fixture(scope="module")
+def irradiance() -> str:
+    """Return what the examples print: the irradiance of their light, by a formula of its own."""
+    program = (
+        "import numpy as np\nfrom renderlab.irradiance import projected_solid_angle\n"
+        "value = projected_solid_angle(np.array([0, 0, 1]), np.array([3, 0, 0.5]), 1)\n"
+        "print(f'irradiance {10 * value:.4f}')"
+    )
+    return run(sys.executable, "-c", program, folder=REPOSITORY, PYTHONPATH=str(REPOSITORY / "tools"))
+
+
+def test_the_example_with_pkg_config(prefix: Path, example: Path, irradiance: str) -> None:
+    """By its Makefile."""
+    run("make", folder=example, PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig"), CFLAGS="-Wall -Wextra -Werror")
+    assert run(example / "light", folder=example, LD_LIBRARY_PATH=str(prefix / "lib")) == irradiance
+
+
+def test_the_example_with_cmake(prefix: Path, example: Path, irradiance: str) -> None:
+    """By its CMakeLists.txt."""
+    run("cmake", "-G", "Ninja", "-B", "build", f"-DCMAKE_PREFIX_PATH={prefix}", folder=example)
+    run("cmake", "--build", "build", folder=example)
+    assert run(example / "build/light", folder=example) == irradiance
+
+
+def test_the_example_in_rust(irradiance: str) -> None:
+    """By the command that it names."""
+    (command,) = re.findall("`(cargo run [^`]*)`", (REPOSITORY / "examples/light.rs").read_text())
+    assert run(*command.split(), "--locked", folder=REPOSITORY) == irradiance
+
+
+def test_the_example_in_mitsuba(irradiance: str) -> None:
+    """With the package that `make build` has completed."""
+    package = {"PYTHONPATH": str(REPOSITORY / "mitsuba_plugin")}
+    assert run(sys.executable, "examples/light.py", folder=REPOSITORY, **package) == irradiance
+
+
 def test_the_readmes_lines_in_c(prefix: Path, tmp_path: Path) -> None:
     """They are part of a function."""
     (lines,) = blocks(REPOSITORY / "README.md", "c")
@@ -282,20 +325,19 @@ def test_the_page_on_porting(
     run(tmp_path / "program", folder=tmp_path)
 
 
-def test_a_plugin_by_somebody_else(prefix: Path, tmp_path: Path) -> None:
-    """What docs/mitsuba_plugins.md shows, with nothing of this repository but the installed module."""
+def test_a_plugin_by_somebody_else(tmp_path: Path) -> None:
+    """What docs/mitsuba_plugins.md shows, as it stands, where the package spherecap is installed."""
     page = REPOSITORY / "docs/mitsuba_plugins.md"
     folder = tmp_path / "a plugin"
     folder.mkdir()
     (folder / "CMakeLists.txt").write_text(blocks(page, "cmake")[0])
     (folder / "stripes.cpp").write_text(blocks(page, "cpp")[0])
-    module = prefix / "share/spherecap/cmake/FindMitsubaWheel.cmake"
-    (folder / module.name).write_bytes(module.read_bytes())
     install, build = blocks(page, "sh")
     pins = (REPOSITORY / "requirements.txt").read_text().split()
     for package in install.split()[2:]:
         assert package in pins, "the page names the versions that are tested"
-    run("sh", "-ec", build, folder=folder, CMAKE_GENERATOR="Ninja", CMAKE_BUILD_PARALLEL_LEVEL="2")
+    package = {"PYTHONPATH": str(REPOSITORY / "mitsuba_plugin")}
+    run("sh", "-ec", build, folder=folder, CMAKE_GENERATOR="Ninja", CMAKE_BUILD_PARALLEL_LEVEL="2", **package)
     program = (
         blocks(page, "python")[0]
         + """
@@ -309,8 +351,7 @@ for variant in ("scalar_rgb", "llvm_ad_spectral"):
 """
     )
     # The package tells Dr.Jit where LLVM is.
-    llvm = {"PYTHONPATH": str(REPOSITORY / "mitsuba_plugin")}
-    run(sys.executable, "-c", "import spherecap\n" + program, folder=folder, **llvm)
+    run(sys.executable, "-c", "import spherecap\n" + program, folder=folder, **package)
     symbols = run("readelf", "-W", "--dyn-syms", "plugins/stripes.so", folder=folder).splitlines()
     exported = [s for s in map(str.split, symbols) if len(s) >= 8 and s[4] == "GLOBAL" and s[6] != "UND"]
     assert [s[7] for s in exported] == ["init_plugin"]

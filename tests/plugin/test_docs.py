@@ -150,7 +150,7 @@ def test_releases_of_mitsuba_are_those_of_the_build() -> None:
     releases = re.search(
         r"^set\(mitsubas (.*)\)$", (REPOSITORY / "mitsuba_plugin/CMakeLists.txt").read_text(), re.MULTILINE
     )[1].split()
-    module = (REPOSITORY / "mitsuba_plugin/cmake/FindMitsubaWheel.cmake").read_text()
+    module = (REPOSITORY / "mitsuba_plugin/spherecap/cmake/FindMitsubaWheel.cmake").read_text()
     (row,) = re.findall(r"^set\(_MitsubaWheel_KNOWN_NANOBIND (.*)\)$", module, re.MULTILINE)
     nanobinds = dict(pair.split("=") for pair in re.findall(r'"(.*?)"', row))
     backend = re.search(

@@ -1,6 +1,6 @@
 """What images should be: the analytic answer for an open floor, from the library in double precision.
 
-The library is asked through `examples/irradiance.rs`. Two independent answers are in
+The library is asked through `irradiance.rs`, beside this file. Two independent answers are in
 `renderlab/irradiance.py`; `tests/cross/test_analytic.py` holds them against this one.
 """
 

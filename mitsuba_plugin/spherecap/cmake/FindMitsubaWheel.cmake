@@ -38,8 +38,8 @@ Function ``mitsuba_add_plugin(<name> <source>... [OUTPUT_DIRECTORY <dir>])``
   ``mitsuba.file_resolver()``. Link further libraries with ``target_link_libraries(<name> PRIVATE ...)``.
 
 A whole plugin, with what the module takes care of, is in ``docs/mitsuba_plugins.md`` of spherecap, where this file
-comes from; it depends on nothing there, so copy it into your project, or add the folder that ``make install``
-(``share/spherecap/cmake``) or ``pip install`` (``spherecap/cmake``) puts it in to ``CMAKE_MODULE_PATH``.
+comes from; it depends on nothing there, so copy it into your project, or add the folder to ``CMAKE_MODULE_PATH`` that
+``python -m spherecap --cmake_dir`` prints.
 
 Supported: Linux on x86-64, GCC or Clang. On anything else the module fails and says so.
 #]=======================================================================]
