@@ -32,11 +32,12 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
     lib/cmake/spherecap/spherecapConfigVersion.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross lights check test test-rust prepare-test-python test-python test-mitsubas cuda-check test-long lint format build library install \
-    uninstall doc package msrv valgrind header accuracy hashes bench instructions report fits picture clean FORCE
+.PHONY: help demo cross lights check test test-rust test-shaders prepare-test-python test-python test-mitsubas cuda-check test-long lint \
+    format build library install uninstall wheel doc package msrv aarch64 valgrind header shaders accuracy hashes bench instructions \
+    report fits picture notebook clean FORCE
 
 help: ## List the targets.
-	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
+	@grep -hE '^[a-z0-9-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
 
 demo: build ## Render SCENE with `area` and with `spherecap`; print a table, save a picture below out/.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene $(SCENE) --variant $(VARIANT) --spp $(SPP)
@@ -149,6 +150,9 @@ uninstall: ## Remove what `make install` installed.
 	rm -f $(foreach file,$(INSTALLED),"$(DESTDIR)$(PREFIX)/$(file)")
 	-rmdir "$(DESTDIR)$(PREFIX)/lib/cmake/spherecap"
 
+wheel: $(VENV)/installed ## The Python package as a source archive and as a wheel that is built from it, in dist/.
+	MAKEFLAGS= $(BIN)/python packaging/wheel.py dist
+
 doc: ## The documentation of the crate, in target/doc/spherecap.
 	RUSTDOCFLAGS="-D warnings" cargo doc --release --locked --no-deps
 
@@ -158,6 +162,10 @@ package: ## Is the crate complete as it would be published?
 msrv: ## Compile the library with the oldest Rust that Cargo.toml promises; needs rustup, which fetches it.
 	rustup toolchain install $(MSRV) --profile minimal
 	cargo +$(MSRV) check --locked --lib --target-dir target/msrv
+
+aarch64: ## Compile the library for ARM; needs rustup, which fetches the standard library for it.
+	rustup target add aarch64-unknown-linux-gnu
+	cargo build --release --locked --lib --target aarch64-unknown-linux-gnu
 
 valgrind: $(LIBRARY) ## Run the C programs of tests and examples under valgrind, which has to be installed.
 	tests/c/valgrind.sh
@@ -216,6 +224,6 @@ picture: build ## Remake the picture of the README.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene cut_light --spp 4 --width 160 --picture docs/cut_light.png
 
 clean: ## Remove all that was built, rendered and installed here.
-	rm -rf target build out report .cuda $(VENV) .venv-luxcore .venv-cycles .venv-mitsuba-* mitsuba_plugin/spherecap/plugins
+	rm -rf target build dist out report .cuda $(VENV) .venv-luxcore .venv-cycles .venv-mitsuba-* mitsuba_plugin/spherecap/plugins
 
 FORCE:

@@ -1,15 +1,20 @@
 """`pip install` gives packages and a command that need neither this repository nor a path to it."""
 
+import email
+import inspect
 import os
+import platform
 import re
 import subprocess
 import sys
 import sysconfig
 import zipfile
+from email import message
 from importlib import metadata
 from pathlib import Path
 
 import pytest
+import spherecap
 import tomllib
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -28,12 +33,18 @@ def run(*command: object, **variables: str) -> str:
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Build the wheel, with the build requirements of this environment (so without a network)."""
+    """Build the wheel from a source archive, as `make wheel` does, with the requirements that are here."""
     folder = tmp_path_factory.mktemp("a wheel")
-    pip = (sys.executable, "-m", "pip", "wheel", "--quiet", "--disable-pip-version-check")
-    run(*pip, "--no-deps", "--no-build-isolation", "--no-index", "--wheel-dir", folder, REPOSITORY)
+    run(sys.executable, REPOSITORY / "packaging/wheel.py", folder)
     (path,) = folder.glob("*.whl")
     return path
+
+
+def metadata_of(wheel: Path) -> message.Message:
+    """Return what the wheel says about itself."""
+    with zipfile.ZipFile(wheel) as archive:
+        (file,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
+        return email.message_from_bytes(archive.read(file))
 
 
 @pytest.fixture(scope="module")
@@ -47,26 +58,69 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_the_wheel_holds_the_packages_and_nothing_else(wheel: Path) -> None:
-    """Python, the plugin, one CMake module; for any Python, on Linux; of the library's version."""
+    """Python, the plugin, one CMake module; for any Python, on Linux; of the library's version.
+
+    The older the glibc that it asks for, the better; none is newer than that of this machine.
+    """
     names = zipfile.ZipFile(wheel).namelist()
-    ours = {name for name in names if ".dist-info/" not in name}
+    ours = {name for name in names if not re.search(r"\.dist-info/|/$", name)}
     package = REPOSITORY / "mitsuba_plugin"
     python = {path.relative_to(package).as_posix() for path in package.glob("spherecap*/*.py")}
     assert ours == python | {
         "spherecap/plugins/spherecap.so",
         "spherecap/plugins/spherecap_emitter.so",
         "spherecap/cmake/FindMitsubaWheel.cmake",
+        "spherecap/py.typed",
     }
     version = tomllib.loads((REPOSITORY / "Cargo.toml").read_text())["package"]["version"]
-    assert wheel.name == f"spherecap-{version}-py3-none-linux_x86_64.whl"
+    tag = re.fullmatch(rf"spherecap-{version}-py3-none-manylinux_2_(\d+)_x86_64\.whl", wheel.name)
+    assert int(tag[1]) <= int(platform.libc_ver()[1].split(".")[1])
 
 
 def test_the_wheel_depends_on_the_mitsuba_that_it_was_built_for(wheel: Path) -> None:
     """Which is the one that is installed."""
-    with zipfile.ZipFile(wheel) as archive:
-        (file,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
-        lines = archive.read(file).decode().splitlines()
-    assert f"Requires-Dist: mitsuba=={metadata.version('mitsuba')}" in lines
+    assert f"mitsuba=={metadata.version('mitsuba')}" in metadata_of(wheel).get_all("Requires-Dist")
+
+
+def test_the_page_on_pypi_leads_somewhere(wheel: Path) -> None:
+    """Its text is the README; links are absolute, into the release's files."""
+    page = metadata_of(wheel)
+    version, text = page["Version"], page.get_payload()
+    package = tomllib.loads((REPOSITORY / "Cargo.toml").read_text())["package"]
+    addresses = dict(url.split(", ") for url in page.get_all("Project-URL"))
+    assert addresses["Repository"] == package["repository"]
+    links = re.findall(r"\]\(\s*([^)\s]+)\s*\)", text) + re.findall(r'(?:src|href)="([^"]+)"', text)
+    assert len(links) > 15
+    ours = [link for link in (*links, *addresses.values()) if link.startswith(package["repository"])]
+    for link in ours:
+        path = re.fullmatch(rf"{package['repository']}(?:/(?:blob|raw)/v{version}/(.+)|/issues|)", link)[1]
+        assert (REPOSITORY / (path or "")).exists(), link
+    assert all(link in ours or link.startswith(("https://", "#")) for link in links), links
+    assert sum(f"/raw/v{version}/" in link for link in ours) == len(
+        re.findall(r"!\[|<img", (REPOSITORY / "README.md").read_text())
+    )
+
+
+def test_sizes(wheel: Path) -> None:
+    """The guide states them, neither too low nor much too high."""
+    guide = (REPOSITORY / "docs/mitsuba.md").read_text(encoding="utf-8")
+    (archive,) = wheel.parent.glob("*.tar.gz")
+    stated = re.search(r"wheel has less than ([\d.]+) MB and the source archive less than ([\d.]+) MB", guide)
+    with zipfile.ZipFile(wheel) as files:
+        installed = sum(file.file_size for file in files.infolist())
+    for path, megabytes in zip((wheel, archive), map(float, stated.groups()), strict=True):
+        assert megabytes / 2 < path.stat().st_size / 1e6 < megabytes
+    assert f"Installed, it is {installed / 1e6:.1f} MB" in guide
+
+
+def test_types() -> None:
+    """Whoever checks types with the package, which says that it has them (`py.typed`), finds them."""
+    functions = [getattr(spherecap, name) for name in spherecap.__all__]
+    for function in filter(inspect.isfunction, functions):
+        signature = inspect.signature(function)
+        assert signature.return_annotation is not inspect.Signature.empty, function
+        for parameter in signature.parameters.values():
+            assert parameter.annotation is not inspect.Parameter.empty, f"{function}: {parameter}"
 
 
 def test_installed_used_and_uninstalled(wheel: Path, environment: Path, tmp_path: Path) -> None:
