@@ -223,6 +223,9 @@ fits: $(VENV)/installed ## Remake the fitted constants in src/fits.rs.
 picture: build ## Remake the picture of the README.
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/demo.py --scene cut_light --spp 4 --width 160 --picture docs/cut_light.png
 
+notebook: build ## Run the cells of docs/tutorial.ipynb, and store what they show.
+	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/notebook.py docs/tutorial.ipynb
+
 clean: ## Remove all that was built, rendered and installed here.
 	rm -rf target build dist out report .cuda $(VENV) .venv-luxcore .venv-cycles .venv-mitsuba-* mitsuba_plugin/spherecap/plugins
 
