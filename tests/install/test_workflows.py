@@ -30,7 +30,10 @@ def test_they_call_targets_of_make() -> None:
     targets = re.findall(r"^([a-z0-9-]+):", (REPOSITORY / "Makefile").read_text(), re.MULTILINE)
     called = set()
     for path in WORKFLOWS:
-        for line in re.findall(r"^ +- run: (.*)$", path.read_text(), re.MULTILINE):
+        text = path.read_text()
+        lines = re.findall(r"^ +- run: (\w.*)$", text, re.MULTILINE)
+        assert len(lines) == text.count("run:")
+        for line in lines:
             word, *rest = line.split()
             assert word in ("make", "rustup", "curl", "echo", "gh"), f"{path.name}: {line}"
             if word == "make":

@@ -138,6 +138,10 @@ print(mi.load_dict({"type": "sphere", "emitter": {"type": "spherecap"}}).emitter
     assert Path(plugin).is_relative_to(environment)
     assert name == "SphereCap"
 
+    modules = run(environment / "bin/python", "-m", "spherecap", "--cmake_dir").strip()
+    assert Path(modules).is_relative_to(environment)
+    assert (Path(modules) / "FindMitsubaWheel.cmake").is_file()
+
     command = environment / "bin/spherecap"
     version = wheel.name.split("-")[1]
     assert f"spherecap {version}\n" in run(command, "info")
