@@ -13,7 +13,7 @@ from renderlab.reference import SPP, needs_rendering, reference
 from renderlab.scenes import OUTPUT, load_scene, scene_file, scene_names
 from spherecap_command.compare import compare, samples_to_render, table
 from spherecap_command.errors import UserError
-from spherecap_command.scene import use_variant
+from spherecap_command.scene import ParsedScene, use_variant
 from tqdm import tqdm
 
 
@@ -42,11 +42,13 @@ def demo(scene: str, variant: str, spp: int, width: int, picture: Path | None) -
     with tqdm(total=samples_to_render([spp], to_render), unit=" spp") as bar:
         truth = reference(scene, width, height, bar.update)
         load = partial(load_scene, scene, spp=spp, width=width, height=height)
-        results = compare(load, [spp], truth, bar.update)
+        results = compare(load, [spp], bar.update)
     title = f"{scene}: {spp} samples per pixel, {width} x {height}, {variant}"
-    print(f"\n{title}; reference: {truth.origin}\n{table(results)}")
+    print(f"\n{title}; reference: {truth.origin}\n{table(results, truth)}")
+    if ParsedScene(scene_file(scene), {}).integrator.get("hide_emitters", False):
+        title += "\nThe light itself is hidden (hide_emitters), and so black: what counts is what it lights."
     path = picture or OUTPUT / "demo" / f"{scene}-{spp}spp-{variant}.png"
-    panels = [Panel(one.image, f"{one.technique}   (relative RMSE {one.rmse:.3g})") for one in results]
+    panels = [Panel(one.image, f"{one.technique}   (relative RMSE {one.rmse(truth):.3g})") for one in results]
     save_comparison(path, title, panels, Panel(truth.image, f"reference ({truth.origin})"))
     print(f"picture: {path}")
 

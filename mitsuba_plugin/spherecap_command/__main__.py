@@ -1,19 +1,36 @@
 """`spherecap compare`, `spherecap convert` and `spherecap info`; also as `python -m spherecap_command`."""
 
 import argparse
+import shlex
 import shutil
 import sys
 import tempfile
+import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from spherecap_command import info
 from spherecap_command.errors import UserError
+
+if TYPE_CHECKING:
+    import mitsuba as mi
+
+    from spherecap_command.compare import Reference, Result
+    from spherecap_command.scene import ParsedScene
 
 try:
     import spherecap
 except ImportError as error:  # not built, or for another Mitsuba: the message says so
     spherecap, UNUSABLE = None, str(error)
+
+
+# What `compare` does where it is not told: minutes, the most pixels of the longer side, samples per pixel.
+# Without an end in time there is no limit to the size, and the reference has so many samples.
+MINUTES = 2.0
+SIZE = 400
+COUNTS = (1, 4, 16, 64)
+REFERENCE = 512
 
 
 def main(words: list[str] | None = None) -> int:
@@ -37,26 +54,43 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="spherecap", description="Compare, convert and inspect: sphere lights in Mitsuba 3."
     )
+    parser.add_argument("--version", action="version", version=_version())
     commands = parser.add_subparsers(dest="command", required=True)
 
     compare = commands.add_parser("compare", help="render a scene with `area` and with `spherecap`")
     compare.add_argument("scene", type=Path, metavar="SCENE.xml")
     compare.add_argument(
+        "--minutes",
+        type=_minutes,
+        metavar="N",
+        help=f"how long it may take (default: {MINUTES:g}; without an end with --spp or --reference)",
+    )
+    compare.add_argument(
+        "--size",
+        type=_count,
+        metavar="N",
+        help=f"pixels of the image's longer side (default: the scene's, and {SIZE} at most within --minutes)",
+    )
+    compare.add_argument(
         "--spp",
         type=_count,
         nargs="+",
-        default=[1, 4, 16, 64],
         metavar="N",
-        help="sample counts per pixel (default: 1 4 16 64)",
+        help=f"sample counts per pixel (default: {' '.join(map(str, COUNTS))}, as time allows)",
     )
     compare.add_argument(
         "--reference",
         type=_count,
-        default=512,
         metavar="N",
-        help="samples per pixel of the reference, for each emitter (default: %(default)s)",
+        help="samples per pixel of the reference, for each emitter (default: all that is rendered within "
+        f"--minutes; {REFERENCE} with --spp)",
     )
-    compare.add_argument("--variant", default="scalar_rgb", help="variant of Mitsuba (default: %(default)s)")
+    compare.add_argument(
+        "--sensor", metavar="ID", help="the id or the number, from 1, of the sensor (default: the first)"
+    )
+    compare.add_argument(
+        "--variant", help="variant of Mitsuba (default: llvm_ad_rgb where LLVM is installed, else scalar_rgb)"
+    )
     compare.add_argument(
         "--output", type=Path, metavar="FOLDER", help="a new folder (default: the scene's name with -compare)"
     )
@@ -79,6 +113,11 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
+def _version() -> str:
+    built_for = f", for Mitsuba {spherecap.BUILT_FOR}" if spherecap else ""
+    return f"spherecap {info.version('spherecap')}{built_for}"
+
+
 def _count(text: str) -> int:
     try:
         count = int(text)
@@ -89,6 +128,16 @@ def _count(text: str) -> int:
     return count
 
 
+def _minutes(text: str) -> float:
+    try:
+        minutes = float(text)
+    except ValueError:
+        minutes = 0.0
+    if not 0 < minutes < float("inf"):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a time: give a number of minutes above 0")
+    return minutes
+
+
 def _parameter(text: str) -> tuple[str, str]:
     name, equals, value = text.partition("=")
     if not (name and equals):
@@ -97,44 +146,135 @@ def _parameter(text: str) -> tuple[str, str]:
 
 
 def _compare(chosen: argparse.Namespace) -> int:
-    from tqdm import tqdm
-
-    from spherecap_command.compare import (
-        compare,
-        rendered_reference,
-        samples_taken,
-        samples_to_render,
-        table,
-    )
+    from spherecap_command.compare import samples_taken, table, text_table
     from spherecap_command.report import write_report
-    from spherecap_command.scene import BUILT_IN, ParsedScene, use_variant
+    from spherecap_command.scene import BUILT_IN, ParsedScene, best_variant, quiet, resize, use_variant
+    from spherecap_command.verdict import divide, parts_table, verdict
 
     output = chosen.output or Path(f"{chosen.scene.stem}-compare")
     if output.exists():  # before anything slow
         raise UserError(f"'{output}' exists: remove it, or choose another folder with --output")
-    use_variant(chosen.variant)
+    endless = chosen.minutes is None and bool(chosen.spp or chosen.reference)
+    variant = chosen.variant or best_variant()
+    use_variant(variant)
     scene = ParsedScene(chosen.scene, dict(chosen.parameters))
     if not scene.convertible:
         raise UserError(scene.explain_no_lights())
+    sensor, which = _sensor(chosen.scene, scene.sensors, chosen.sensor)
     for light in scene.refused:
         print(f"stays as it is: {light.where}: {light.refusal}")
-    counts = sorted({samples_taken(scene.load(BUILT_IN), spp) for spp in chosen.spp})
-    with tqdm(total=samples_to_render(counts, chosen.reference), unit=" spp") as bar:
-        bar.set_description("reference")
-        truth = rendered_reference(scene.load, chosen.reference, bar.update)
-        bar.set_description("compare")
-        results = compare(scene.load, counts, truth, bar.update)
-    height, width, _ = truth.image.shape
+
+    def load(emitter: str, **own: str) -> "mi.Scene":
+        loaded = scene.load(emitter, sensor, **own)
+        resize(loaded, chosen.size, None if endless else SIZE)
+        return loaded
+
+    once = load(BUILT_IN)  # Mitsuba's warnings are heard here.
+    width, height = once.sensors()[0].film().crop_size()
+    counts = sorted({samples_taken(once, spp) for spp in chosen.spp or COUNTS})
+    del once
     count = len(scene.convertible)
     lights = f"{count} sphere light{'s' if count > 1 else ''}"
-    details = f"{lights}, {width} x {height} pixels, {chosen.variant}, spherecap {info.version('spherecap')}"
-    print(f"{chosen.scene}: {details}\nreference: {truth.origin}, relative RMSE {truth.noise**0.5:.2g}")
-    print(table(results))
+    details = f"{lights}, {width} x {height} pixels, {variant}, spherecap {info.version('spherecap')}{which}"
+    print(f"{chosen.scene}: {details}")
+    reference = chosen.reference or (REFERENCE if endless else None)
+    seconds = None if endless else 60 * (chosen.minutes or MINUTES)
+    with quiet():
+        results, pieces, truth = _measured(scene, load, counts, reference, seconds)
+    parts = divide(scene, pieces, truth) if pieces else None
+    sentences = verdict(scene, results, truth, parts)
+    print(f"reference: {truth.origin}, relative RMSE {truth.noise**0.5:.2g}")
+    print(table(results, truth))
+    if parts:
+        print(text_table(parts_table(parts)))
+    print("\n".join(sentences))
     page = _write_folder(
-        output, lambda folder: write_report(folder, chosen.scene.name, details, results, truth)
+        output,
+        lambda folder: write_report(folder, chosen.scene.name, details, sentences, parts, results, truth),
     )
     print(f"page: {page}")
     return 0
+
+
+def _sensor(scene: Path, ids: list[str], wanted: str | None) -> tuple[int, str]:
+    """Return the index of the sensor that is wanted, and words on which it is, if there are several."""
+    if not ids:
+        raise UserError(f"'{scene}' has no sensor: without a camera there is nothing to render and compare")
+    names = [str(number) for number in range(1, len(ids) + 1)]
+    number = 0
+    if wanted is not None:
+        if wanted not in ids and wanted not in names:
+            there = ", ".join(f"{n} ({i})" if i else n for n, i in zip(names, ids, strict=True))
+            raise UserError(f"'{scene}' has no sensor '{wanted}'; choose one of: {there}")
+        number = ids.index(wanted) if wanted in ids else names.index(wanted)
+    if len(ids) == 1:
+        return number, ""
+    name = f" '{ids[number]}'" if ids[number] else ""
+    return number, f", sensor {number + 1}{name} of {len(ids)} (--sensor chooses)"
+
+
+def _measured(
+    scene: "ParsedScene",
+    load: Callable[..., "mi.Scene"],
+    counts: list[int],
+    reference: int | None,
+    seconds: float | None,
+) -> tuple[list["Result"], dict[str, "Result"] | None, "Reference"]:
+    """Render with a progress bar: results, what the noise is made of, and the reference.
+
+    reference: its samples per pixel; the mean of all that is rendered if it is None. seconds: how long it may
+    take; the fewest samples are measured in any case.
+    """
+    from tqdm import tqdm
+
+    from spherecap_command.compare import (
+        Comparison,
+        mean_of_all,
+        pairs,
+        rendered_reference,
+        samples_to_render,
+    )
+    from spherecap_command.verdict import at_equal_samples, measure_pieces, renders_of_pieces
+
+    begin = time.perf_counter()
+    deadline = begin + (seconds or float("inf"))
+    # Enough for rare bright samples to count, and no more.
+    apart = max((spp for spp in counts if spp <= 16), default=counts[0])
+    planned = samples_to_render(counts, reference or 0) + apart * renders_of_pieces(scene)
+    done = 0
+    pieces = None
+    form = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}<{remaining}"
+    with tqdm(total=1.0, desc="comparing", bar_format=form) as bar:
+
+        def advance(samples: int) -> None:
+            nonlocal done
+            done += samples
+            share = (time.perf_counter() - begin) / seconds if seconds else done / planned
+            bar.update(max(min(share, 1) - bar.n, 0))
+
+        comparison = Comparison(load, advance)
+        results = comparison.results
+        try:
+            for spp in counts:
+                comparison.measure(spp, deadline if seconds is None else begin + seconds / 2)
+                if len(results) == 2:
+                    bar.write(f"so far, with {spp} spp: {at_equal_samples(*results, mean_of_all(results))}")
+            for area, ours in reversed(pairs(results)):
+                expected = 2 * ours.seconds * renders_of_pieces(scene)
+                if area.spp <= apart and time.perf_counter() + expected < deadline:
+                    pieces = measure_pieces(scene, load, area, ours, advance)
+                    break
+            if seconds:
+                comparison.repeat(deadline)
+            if reference:
+                return results, pieces, rendered_reference(load, reference, advance)
+        except KeyboardInterrupt:
+            if not results:
+                raise
+            bar.write("stopped: this is what was found so far")
+        finally:
+            bar.update(1 - bar.n)
+    return results, pieces, mean_of_all(results)
 
 
 def _write_folder(output: Path, write: Callable[[Path], Path]) -> Path:
@@ -168,6 +308,9 @@ def _convert(chosen: argparse.Namespace) -> int:
         print(f"stays as it is: {light.where}: {light.refusal}")
     for path in conversion.files:
         print(f"written: {path}")
+    given = [word for name, value in parameters.items() for word in ("-D", f"{name}={value}")]
+    command = shlex.join(["mitsuba", "-a", str(spherecap.PLUGIN.parent.parent), *given, str(chosen.result)])
+    print(f"to render it: {command}\nor in Python: import spherecap, before mitsuba")
     return 0
 
 

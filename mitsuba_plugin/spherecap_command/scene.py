@@ -5,6 +5,7 @@ plugin says against it is the reason to leave it as it is.
 """
 
 import contextlib
+import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,6 +22,26 @@ OURS = "spherecap"
 OWN_PARAMETERS = ("technique", "hemispheres", "defensive", "lights")
 
 
+def best_variant() -> str:
+    """Return the variant to render with where none is asked for: LLVM's where somebody has chosen an LLVM.
+
+    That is the one of `pip install '.[llvm]'`, or the user's. One that Dr.Jit would find by itself may be too
+    old for the processor, and then ends the program.
+    """
+    return "llvm_ad_rgb" if Path(os.environ.get("DRJIT_LIBLLVM_PATH", "")).is_file() else "scalar_rgb"
+
+
+@contextlib.contextmanager
+def quiet() -> Iterator[None]:
+    """Keep Mitsuba's warnings back, for what has been loaded before and has said them once."""
+    before = mi.log_level()
+    mi.set_log_level(mi.LogLevel.Error)
+    try:
+        yield
+    finally:
+        mi.set_log_level(before)
+
+
 def use_variant(variant: str) -> None:
     """Select a Mitsuba variant, or raise with the list of variants that there are."""
     if variant not in mi.variants():
@@ -29,6 +50,19 @@ def use_variant(variant: str) -> None:
         mi.set_variant(variant)
     except Exception as error:  # Mitsuba raises ImportError or RuntimeError, e.g. for lack of a GPU.
         raise UserError(f"the variant '{variant}' does not work on this machine: {error}") from error
+
+
+def resize(scene: "mi.Scene", size: int | None, most: int | None) -> None:
+    """Give the image so many pixels along its longer side; no more than `most` if there is no size."""
+    parameters = mi.traverse(scene.sensors()[0])
+    if "film.size" not in parameters:  # a sensor that fixes it
+        return
+    side = max(parameters["film.crop_size"])
+    factor = (size or min(side, most or side)) / side
+    if factor != 1:
+        for name, least in (("film.size", 1), ("film.crop_size", 1), ("film.crop_offset", 0)):
+            parameters[name] = [max(int(x * factor + 1e-6), least) for x in parameters[name]]
+        parameters.update()
 
 
 @dataclass(frozen=True)
@@ -74,11 +108,33 @@ class ParsedScene:
         """The lights that stay as they are."""
         return [light for light in self.lights if light.refusal]
 
-    def load(self, emitter: str) -> "mi.Scene":
-        """Load the scene with `emitter` on every light that can be a `spherecap`."""
+    @property
+    def integrator(self) -> "mi.Properties":
+        """What the scene says of its integrator; where it has none, Mitsuba's own choice."""
+        found = list(self._parts(mi.ObjectType.Integrator).values())
+        return found[0] if found else mi.Properties("path")
+
+    @property
+    def sensors(self) -> list[str]:
+        """The sensors' ids, in the scene's order; empty for those without."""
+        return [
+            "" if props.id().startswith("_arg_") else props.id()
+            for props in self._parts(mi.ObjectType.Sensor).values()
+        ]
+
+    def load(self, emitter: str, sensor: int = 0, **own: str) -> "mi.Scene":
+        """Load the scene with `emitter` on every light that can be a `spherecap`, and one of its sensors.
+
+        own: parameters of ours for all these lights, in place of what the scene says.
+        """
         state = mi.parser.ParserState(self.state)
         for light in self.convertible:
             _change(state.nodes[light.node], emitter)
+            for name, value in own.items():
+                state.nodes[light.node].props[name] = value
+        for number, name in enumerate(self._parts(mi.ObjectType.Sensor)):
+            if number != sensor:
+                del state.nodes[0].props[name]
         with self._searching(), _explained(f"Mitsuba cannot load '{self.path}'"):
             mi.parser.transform_all(self._config, state)
             return mi.parser.instantiate(self._config, state)
@@ -97,26 +153,36 @@ class ParsedScene:
         for number, shape in enumerate(self.state.nodes):
             if shape.type != mi.ObjectType.Shape:
                 continue
-            for child in _children(shape):
+            for child in _children(shape).values():
                 emitter = self.state.nodes[child].props.plugin_name()
                 if emitter in (BUILT_IN, OURS):
                     where = mi.parser.file_location(self.state, self.state.nodes[child])
                     yield Light(child, emitter, where, self._refusal(number, child))
 
+    def _parts(self, kind: "mi.ObjectType") -> dict[str, "mi.Properties"]:
+        """Return what the scene has of a kind, by the names among its children."""
+        children = {name: self.state.nodes[child] for name, child in _children(self.state.nodes[0]).items()}
+        return {name: node.props for name, node in children.items() if node.type == kind}
+
     def _refusal(self, shape: int, emitter: int) -> str:
-        """Return what speaks against a `spherecap` there."""
+        """Return what speaks against a `spherecap` there; raise if nothing could be there, as it is wrong."""
         kind = self.state.nodes[shape].props.plugin_name()
         if kind != "sphere":  # without loading it, as it may be a large mesh
             return f"its shape is a '{kind}', not a sphere"
-        state = mi.parser.ParserState(self.state)
-        _change(state.nodes[emitter], OURS)
-        state.nodes[0] = mi.parser.SceneNode(state.nodes[shape])  # the root: all else is left out
         try:
-            with self._searching():
-                mi.parser.instantiate(self._config, state)
+            self._load_alone(shape, emitter, OURS)
         except RuntimeError as error:
+            with _explained(f"Mitsuba cannot load '{self.path}'"):
+                self._load_alone(shape, emitter, BUILT_IN)
             return _sentence(error)
         return ""
+
+    def _load_alone(self, shape: int, emitter: int, technique: str) -> None:
+        state = mi.parser.ParserState(self.state)
+        _change(state.nodes[emitter], technique)
+        state.nodes[0] = mi.parser.SceneNode(state.nodes[shape])  # the root: all else is left out
+        with self._searching(), quiet():
+            mi.parser.instantiate(self._config, state)
 
     @contextlib.contextmanager
     def _searching(self) -> Iterator[None]:
@@ -129,11 +195,14 @@ class ParsedScene:
             mi.set_file_resolver(before)
 
 
-def _children(node: "mi.parser.SceneNode") -> Iterator[int]:
-    names = node.props.keys()
-    for name in names:
-        if node.props.type(name) == mi.Properties.Type.ResolvedReference:
-            yield node.props.get(name).index()
+def _children(node: "mi.parser.SceneNode") -> dict[str, int]:
+    """Return the nodes that a node refers to, by the names that it has for them."""
+    props = node.props
+    return {
+        name: props.get(name).index()
+        for name in props
+        if props.type(name) == mi.Properties.Type.ResolvedReference
+    }
 
 
 def _change(node: "mi.parser.SceneNode", emitter: str) -> None:
@@ -149,9 +218,14 @@ def _explained(what: str) -> Iterator[None]:
     try:
         yield
     except RuntimeError as error:
-        raise UserError(f"{what}: {error}") from error
+        raise UserError(f"{what}: {_without_sources(error)}") from error
 
 
 def _sentence(error: RuntimeError) -> str:
-    """Return what a plugin said, without the places in Mitsuba's sources that it went through."""
-    return re.split(r"\[\w+\] ", str(error))[-1].strip()
+    """Return what a plugin said, without the places that it went through."""
+    return re.split(r"\[[\w.]+(?::\d+)?\] ", str(error))[-1].strip()
+
+
+def _without_sources(error: RuntimeError) -> str:
+    """Return what Mitsuba said, without the places in its sources: those in the scene tell more."""
+    return re.sub(r"\[\w+\.\w+:\d+\] ", "", str(error)).strip()

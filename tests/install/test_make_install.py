@@ -209,7 +209,7 @@ def blocks(page: Path, language: str) -> list[str]:
 def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
     """Its programs, in both languages, by its lines for pkg-config, and its list of what is installed."""
     page = REPOSITORY / "docs/c.md"
-    single, several, batch = blocks(page, "c")
+    single, several, sun, batch = blocks(page, "c")
     _, compile_lines = blocks(page, "sh")
 
     def printed_by(program: str, compile_line: str) -> list[str]:
@@ -234,6 +234,7 @@ def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
         assert set(lights) == {"0", "1", "2"}
         assert estimates == pytest.approx([float(irradiance)] * 8, rel=0.05)
         assert abs(lights.count("1") / 8 - float(probability)) < 1 / 8
+        assert [float(word) for word in printed_by(sun, line)] == pytest.approx([600] * 3, abs=0.11)
         words = printed_by(batch, line)
         by_distance = dict(zip(words[::2], words[1::2], strict=True))
         assert by_distance["3.0"] == reflected[0], "the point of the other program"

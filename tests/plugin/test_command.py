@@ -169,7 +169,7 @@ def test_a_byte_order_mark_does_not_shift_the_edits(tmp_path: Path) -> None:
 
 
 def test_compare_leaves_images_and_a_page(
-    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture
 ) -> None:
     """From another folder, and with the scene's resources."""
     monkeypatch.chdir(tmp_path)
@@ -178,13 +178,14 @@ def test_compare_leaves_images_and_a_page(
     output = tmp_path / "scene-compare"
     names = {f"{emitter}-{spp}spp" for emitter in (BUILT_IN, OURS) for spp in (1, 4)} | {"reference"}
     expected = {f"{name}{end}" for name in names for end in (".exr", ".png", "-detail.png")} | {"index.html"}
+    expected |= {f"{name}-error.png" for name in names - {"reference"}}
     assert {path.name for path in output.iterdir()} == expected
     for name in names:
         image = np.array(mi.Bitmap(str(output / f"{name}.exr")))
         assert image.shape == (16, 24, 3)
         assert np.all(np.isfinite(image))
         assert image.max() > 0
-    captured = capsys.readouterr()
+    captured = capfd.readouterr()
     rows = re.findall(r"^ +(\d+) +(area|spherecap) +([\d.]+) +([\d.]+)", captured.out, re.MULTILINE)
     assert [(row[0], row[1]) for row in rows] == [
         ("1", "area"),
@@ -192,10 +193,12 @@ def test_compare_leaves_images_and_a_page(
         ("4", "area"),
         ("4", "spherecap"),
     ]
-    assert "5 sphere lights, 24 x 16 pixels, scalar_rgb" in captured.out
+    assert "5 sphere lights, 24 x 16 pixels, llvm_ad_rgb" in captured.out
+    assert captured.out.count("[Sphere]") == 1  # a warning of Mitsuba's, once
     assert "100%" in captured.err  # the progress bar
     page = (output / "index.html").read_text(encoding="utf-8")
-    assert page.count("data:image/png;base64,") == 2 * 2 * 3
+    assert page.count("data:image/png;base64,") == 2 * 2 * 3 + 2  # the reference is there once
+    assert page.count("<svg ") == 2
     assert "http" not in page
     for row in rows:
         assert f"<td>{row[3]}</td>" in page

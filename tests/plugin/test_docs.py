@@ -8,6 +8,7 @@ from pathlib import Path
 import mitsuba as mi
 import numpy as np
 import pytest
+import spherecap_command.__main__ as command
 import tomllib
 from spherecap_command.__main__ import _arguments as command_line
 from spherecap_command.scene import OWN_PARAMETERS
@@ -95,12 +96,24 @@ def test_the_commands_exist(page: Path) -> None:
         command_line(words)
 
 
-def test_the_guides_reference_is_the_commands() -> None:
-    """The number of samples, where nobody asks for another."""
-    samples = re.search(
-        r"with (\d+) samples per pixel unless `--reference`", GUIDE.read_text(encoding="utf-8")
-    )
-    assert int(samples[1]) == command_line(["compare", "scene.xml"]).reference
+def test_the_guides_numbers_are_the_commands() -> None:
+    """What `compare` does where nobody asks for something else."""
+    text = " ".join(GUIDE.read_text(encoding="utf-8").split())
+    for pattern, number in (
+        (r"It takes (\d+) minutes, or as many as `--minutes`", command.MINUTES),
+        (r"at most (\d+) pixels along their longer side unless `--size`", command.SIZE),
+        (r"(\d+) samples per pixel unless `--reference`", command.REFERENCE),
+        (r"then follow 4, 16 and (\d+) samples per pixel", command.COUNTS[-1]),
+    ):
+        assert float(re.search(pattern, text)[1]) == number, pattern
+
+
+def test_the_guides_sun_shines() -> None:
+    """Its program renders a floor of the reflectance .5 in the sun."""
+    names = {}
+    exec(blocks(GUIDE, "python")[1], names)
+    expected = 1000 * 2 / 5**0.5 * 0.5 / np.pi
+    np.testing.assert_allclose(np.array(names["image"]), expected, rtol=1e-5)
 
 
 def test_the_readmes_renders() -> None:
@@ -168,7 +181,7 @@ def test_releases_of_mitsuba_are_those_of_the_build() -> None:
 
 
 def test_links_lead_somewhere() -> None:
-    """All that point into the repository."""
+    """All that point into the repository, and to headings there."""
     links = [
         (page, link)
         for page in PAGES
@@ -177,7 +190,12 @@ def test_links_lead_somewhere() -> None:
     ]
     assert len(links) > 15
     for page, link in links:
-        assert (page.parent / link).exists(), f"{page.name}: {link}"
+        name, _, heading = link.partition("#")
+        target = page.parent / name if name else page
+        assert target.exists(), f"{page.name}: {link}"
+        if heading:
+            titles = re.findall(r"^#+ (.*)$", target.read_text(encoding="utf-8"), re.MULTILINE)
+            assert heading in [title.lower().replace(" ", "-") for title in titles], f"{page.name}: {link}"
 
 
 def test_targets_of_make_exist() -> None:
