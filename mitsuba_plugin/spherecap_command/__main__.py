@@ -124,7 +124,7 @@ def _count(text: str) -> int:
     except ValueError:
         count = 0
     if count < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a sample count: give a whole number from 1")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a count: give a whole number from 1")
     return count
 
 
@@ -181,7 +181,7 @@ def _compare(chosen: argparse.Namespace) -> int:
     seconds = None if endless else 60 * (chosen.minutes or MINUTES)
     with quiet():
         results, pieces, truth = _measured(scene, load, counts, reference, seconds)
-    parts = divide(scene, pieces, truth) if pieces else None
+    parts = divide(pieces, truth) if pieces else None
     sentences = verdict(scene, results, truth, parts)
     print(f"reference: {truth.origin}, relative RMSE {truth.noise**0.5:.2g}")
     print(table(results, truth))

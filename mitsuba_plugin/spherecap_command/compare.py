@@ -16,7 +16,7 @@ import numpy as np
 
 from spherecap_command.errors import UserError
 from spherecap_command.measure import error_scale
-from spherecap_command.scene import BUILT_IN, OURS
+from spherecap_command.scene import BUILT_IN, OURS, explained
 
 # A result has so many renders at least, two of them each time that its scene is loaded.
 RENDERS = 4
@@ -84,7 +84,8 @@ def render(scene: "mi.Scene", spp: int, seed: int, integrator: "mi.Integrator | 
 
     Other seeds give independent images. Alpha and further channels are left out.
     """
-    image = np.array(mi.render(scene, integrator=integrator, spp=spp, seed=seed), dtype=np.float64)
+    with explained("Mitsuba cannot render the scene"):
+        image = np.array(mi.render(scene, integrator=integrator, spp=spp, seed=seed), dtype=np.float64)
     return image[..., : 3 if image.shape[-1] >= 3 else 1]
 
 

@@ -91,7 +91,7 @@ class ParsedScene:
         self._resolver = mi.FileResolver(mi.file_resolver())
         self._resolver.prepend(str(path.resolve().parent))
         self._config = mi.parser.ParserConfig(mi.variant())
-        with self._searching(), _explained(f"Mitsuba cannot read '{path}'"):
+        with self._searching(), explained(f"Mitsuba cannot read '{path}'"):
             self.state = mi.parser.parse_file(self._config, str(path), **parameters)
             mi.parser.transform_upgrade(self._config, self.state)
             mi.parser.transform_resolve(self._config, self.state)
@@ -135,7 +135,7 @@ class ParsedScene:
         for number, name in enumerate(self._parts(mi.ObjectType.Sensor)):
             if number != sensor:
                 del state.nodes[0].props[name]
-        with self._searching(), _explained(f"Mitsuba cannot load '{self.path}'"):
+        with self._searching(), explained(f"Mitsuba cannot load '{self.path}'"):
             mi.parser.transform_all(self._config, state)
             return mi.parser.instantiate(self._config, state)
 
@@ -172,7 +172,7 @@ class ParsedScene:
         try:
             self._load_alone(shape, emitter, OURS)
         except RuntimeError as error:
-            with _explained(f"Mitsuba cannot load '{self.path}'"):
+            with explained(f"Mitsuba cannot load '{self.path}'"):
                 self._load_alone(shape, emitter, BUILT_IN)
             return _sentence(error)
         return ""
@@ -214,7 +214,8 @@ def _change(node: "mi.parser.SceneNode", emitter: str) -> None:
 
 
 @contextlib.contextmanager
-def _explained(what: str) -> Iterator[None]:
+def explained(what: str) -> Iterator[None]:
+    """Turn what Mitsuba raises into the user's error, which begins with `what` it could not do."""
     try:
         yield
     except RuntimeError as error:

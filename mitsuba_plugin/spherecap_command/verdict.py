@@ -2,7 +2,8 @@
 
 A part is what is left out by a cheaper integrator. A path tracer that stops at the first surface has direct
 light alone; one that takes no BSDF samples has the noise of light samples alone; ours with `lights` = `one`
-chooses a light blindly, as the built-in emitter does. The differences of the variances are the parts.
+chooses a light blindly, as the built-in emitter does. The differences of the variances are the parts. What
+many light samples for each of the camera's leave is the picture's own: edges and detail in its pixels.
 """
 
 import gc
@@ -27,7 +28,11 @@ DEVIATIONS = 8
 # Single precision gives samples of the same random numbers the same value to within this.
 ROUNDING = 1e-3
 
-LIGHTS, CHOICE, BSDF, INDIRECT = "light sampling", "choice among lights", "BSDF sampling", "indirect light"
+PIXELS, LIGHTS, CHOICE = "edges in pixels", "light sampling", "choice among lights"
+BSDF, INDIRECT = "BSDF sampling", "indirect light"
+
+# How many times as many light samples as in the scene tell the noise of the picture itself.
+MANY = 16
 
 
 @dataclass(frozen=True)
@@ -43,24 +48,25 @@ class Parts:
 
 
 def _cheaper(scene: ParsedScene) -> dict[str, dict] | None:
-    """Return the integrators that have direct light alone, and light samples alone.
+    """Return integrators that have direct light alone, light samples alone, and many light samples.
 
-    One is left out where the scene's own integrator does no more; nothing is returned for integrators that
+    The first two are left out where the scene's own has no more; nothing is returned for integrators that
     cannot be taken apart.
     """
     props = scene.integrator
     hide = {"hide_emitters": props.get("hide_emitters", False)}
-    lights = {"type": "direct", "emitter_samples": 1, "bsdf_samples": 0, **hide}
-    if props.plugin_name() == "path":
-        if 0 <= props.get("max_depth", -1) <= 2:
-            return {"lights": lights}
-        return {"direct": {"type": "path", "max_depth": 2, **hide}, "lights": lights}
-    if props.plugin_name() == "direct":
-        samples = props.get("shading_samples", 1)
-        lights["emitter_samples"] = props.get("emitter_samples", samples)
-        if lights["emitter_samples"] > 0:
-            return {"lights": lights} if props.get("bsdf_samples", samples) > 0 else {}
-    return None
+    kind = props.plugin_name()
+    samples = props.get("shading_samples", 1)
+    light_samples = props.get("emitter_samples", samples) if kind == "direct" else 1
+    if kind not in ("path", "direct") or light_samples == 0:
+        return None
+    lights = {"type": "direct", "emitter_samples": light_samples, "bsdf_samples": 0, **hide}
+    cheaper = {"many": {**lights, "emitter_samples": MANY * light_samples}}
+    if kind == "path" or props.get("bsdf_samples", samples) > 0:
+        cheaper["lights"] = lights
+    if kind == "path" and not 0 <= props.get("max_depth", -1) <= 2:
+        cheaper["direct"] = {"type": "path", "max_depth": 2, **hide}
+    return cheaper
 
 
 def renders_of_pieces(scene: ParsedScene) -> int:
@@ -68,7 +74,7 @@ def renders_of_pieces(scene: ParsedScene) -> int:
     cheaper = _cheaper(scene)
     if cheaper is None:
         return 0
-    return RENDERS * (2 * len(cheaper) + (len(scene.convertible) > 1) + 1)
+    return RENDERS * (2 * len(cheaper) + (len(scene.convertible) > 1))
 
 
 def measure_pieces(
@@ -94,9 +100,10 @@ def measure_pieces(
         del loaded
         gc.collect()
 
-    for technique in (BUILT_IN, OURS):
-        for integrator in cheaper:
-            measure(f"{technique} {integrator}", technique, integrator)
+    for integrator in cheaper:
+        measure(f"{OURS} {integrator}", OURS, integrator)
+        if integrator != "many":
+            measure(f"{BUILT_IN} {integrator}", BUILT_IN, integrator)
     if len(scene.convertible) > 1:
         measure("blind", OURS, "lights" if "lights" in cheaper else "all", lights="one")
     if _both_sides(load):
@@ -104,21 +111,33 @@ def measure_pieces(
     return pieces
 
 
-def divide(scene: ParsedScene, pieces: dict[str, Result], truth: Reference) -> Parts:
+def divide(pieces: dict[str, Result], truth: Reference) -> Parts:
     """Return the parts of the noise."""
     noise = {name: relative(result.variance, truth) for name, result in pieces.items()}
+    for technique in (BUILT_IN, OURS):  # the scene's own integrator, if there was no cheaper one
+        noise.setdefault(f"{technique} direct", noise[f"{technique} all"])
+        noise.setdefault(f"{technique} lights", noise[f"{technique} direct"])
+    # The variance of n light samples for each of the camera's is that of the picture and an n-th of theirs.
+    picture = max((MANY * noise[f"{OURS} many"] - noise[f"{OURS} lights"]) / (MANY - 1), 0.0)
     columns = []
     for technique in (BUILT_IN, OURS):
         whole = noise[f"{technique} all"]
-        direct = min(noise.get(f"{technique} direct", whole), whole)
+        direct = min(noise[f"{technique} direct"], whole)
         # Where BSDF samples help more than they harm, light samples alone are the noisier.
-        lights = min(noise.get(f"{technique} lights", direct), direct)
-        columns.append({LIGHTS: lights, CHOICE: 0.0, BSDF: direct - lights, INDIRECT: whole - direct})
+        lights = min(noise[f"{technique} lights"], direct)
+        pixels = min(picture, lights)
+        columns.append(
+            {
+                PIXELS: pixels,
+                LIGHTS: lights - pixels,
+                CHOICE: 0.0,
+                BSDF: direct - lights,
+                INDIRECT: whole - direct,
+            }
+        )
     area, ours = columns
     if "blind" in noise:
-        area[CHOICE] = min(
-            max(noise["blind"] - noise.get(f"{OURS} lights", noise[f"{OURS} all"]), 0.0), area[LIGHTS]
-        )
+        area[CHOICE] = min(max(noise["blind"] - noise[f"{OURS} lights"], 0.0), area[LIGHTS])
         area[LIGHTS] -= area[CHOICE]
     whole = noise[f"{BUILT_IN} all"] or 1.0
     front = None
@@ -214,6 +233,7 @@ def _explanation(parts: Parts, others: int) -> list[str]:
     total = sum(ours for _, ours in shares.values())
     largest = max(shares, key=lambda name: shares[name][1])
     reasons = {
+        PIXELS: "the picture's own: edges and detail in its pixels, which only more samples make smooth",
         LIGHTS: "light sampling: shadows, surfaces that are not diffuse"
         + (f", and the lights that are no {OURS}" if others else ""),
         BSDF: "BSDF sampling: the integrator's rays that follow surfaces' BSDFs, and find lights by chance",

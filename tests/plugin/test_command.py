@@ -2,15 +2,27 @@
 
 import os
 import re
+import shlex
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import mitsuba as mi
 import numpy as np
 import pytest
-from spherecap_command.__main__ import main
-from spherecap_command.scene import BUILT_IN, OURS, OWN_PARAMETERS, ParsedScene, use_variant
+import spherecap
+from spherecap_command import info
+from spherecap_command.__main__ import SIZE, main
+from spherecap_command.compare import Comparison
+from spherecap_command.scene import (
+    BUILT_IN,
+    OURS,
+    OWN_PARAMETERS,
+    ParsedScene,
+    best_variant,
+    use_variant,
+)
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 
@@ -111,6 +123,7 @@ def test_convert_changes_the_sphere_lights_and_nothing_else(
     assert source.read_bytes() == before
     printed = capsys.readouterr().out
     assert printed.count("spherecap: ") == 5
+    assert "[" not in printed.replace("[31m", "")  # no places in Mitsuba's sources
     for reason in ("a 'rectangle', not a sphere", "must not vary over the sphere", "uniformly scaled"):
         assert re.search(rf"stays as it is: .*scene\.xml \(line \d+, col \d+\): .*{reason}", printed), printed
 
@@ -243,7 +256,243 @@ def test_info(capsys: pytest.CaptureFixture) -> None:
     assert re.search("scalar_rgb +loads the emitter", printed)
 
 
+def test_version(capsys: pytest.CaptureFixture) -> None:
+    """Ours, and which Mitsuba it is for."""
+    with pytest.raises(SystemExit) as stop:
+        main(["--version"])
+    assert stop.value.code == 0
+    version = info.version("spherecap")
+    assert capsys.readouterr().out == f"spherecap {version}, for Mitsuba {mi.__version__}\n"
+
+
+def test_convert_says_how_to_render(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """By a command that does."""
+    home = tmp_path / "my scenes"
+    home.mkdir()
+    scene(home, SPHERE.replace("<emitter", '<float name="radius" value="$r"/><emitter'))
+    text = (home / "a.xml").read_text(encoding="utf-8")
+    (home / "a.xml").write_text(
+        text.replace("<sensor", '<default name="r" value="0"/><sensor'), encoding="utf-8"
+    )
+    assert main(["convert", str(home / "a.xml"), str(home / "b.xml"), "-D", "r=1.5"]) == 0
+    command = re.search("^to render it: mitsuba (.*)$", capsys.readouterr().out, re.MULTILINE)[1]
+    words = [sys.executable, "-m", "mitsuba.python.cli", *shlex.split(command)]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert (home / "b.exr").exists()
+
+
+def test_llvm_is_used_where_it_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """That of this Python, or one that the user names, but none that is just somewhere in the system."""
+    assert best_variant() == "llvm_ad_rgb"
+    monkeypatch.setenv("DRJIT_LIBLLVM_PATH", str(tmp_path / "libLLVM.so"))
+    assert best_variant() == "scalar_rgb"
+    monkeypatch.delenv("DRJIT_LIBLLVM_PATH")
+    assert best_variant() == "scalar_rgb"
+
+
+def room(
+    lights: str, integrator: str = '<integrator type="direct"/>', more: str = "", width: int = 32
+) -> str:
+    """Return a scene: a piece of floor that a camera sees, beside the origin, and what lights it."""
+    return f"""<scene version="3.0.0">
+    {integrator}
+    <sensor type="perspective" id="above">
+        <transform name="to_world"><lookat origin="1, -4, 7" target="2, 0, 0" up="0, 0, 1"/></transform>
+        <float name="fov" value="12"/>
+        <film type="hdrfilm">
+            <integer name="width" value="{width}"/><integer name="height" value="{width // 2}"/>
+            <rfilter type="box"/>
+        </film>
+    </sensor>
+    <shape type="rectangle"><transform name="to_world"><scale value="20"/></transform></shape>
+    {lights}
+    {more}
+</scene>
+"""
+
+
+def lamp(x: float, z: float, radiance: float = 1, radius: float = 0.5) -> str:
+    """Return a sphere light."""
+    return f"""<shape type="sphere"><point name="center" x="{x}" y="0" z="{z}"/>
+        <float name="radius" value="{radius}"/>
+        <emitter type="area"><rgb name="radiance" value="{radiance}"/></emitter></shape>"""
+
+
+def compared(folder: Path, text: str, capsys: pytest.CaptureFixture, *words: str) -> str:
+    """Compare a scene and return what was printed."""
+    (folder / "a.xml").write_text(text)
+    assert main(["compare", str(folder / "a.xml"), "--output", str(folder / "out"), *words]) == 0
+    return capsys.readouterr().out
+
+
+ALONE = '<integrator type="direct"><integer name="bsdf_samples" value="0"/></integrator>'
+IN_FULL = ("--spp", "16", "--reference", "64")
+
+
+def shares(printed: str, part: str) -> tuple[float, float]:
+    """Return a row of the table of parts."""
+    row = re.search(rf"^ *{part} +([\d.]+) % +([\d.]+) %$", printed, re.MULTILINE)
+    return float(row[1]), float(row[2])
+
+
+def test_the_noise_of_a_cut_light_is_light_sampling(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """All of it, and nearly all of it goes."""
+    printed = compared(tmp_path, room(lamp(0, 0.1), ALONE), capsys, *IN_FULL)
+    assert shares(printed, "light sampling")[0] > 95
+    assert shares(printed, "light sampling")[1] < 5
+    assert re.search(
+        r"^area takes [\d.e+]+ times as long as spherecap to be as good\.$", printed, re.MULTILINE
+    )
+    assert re.search(r"^\d+ % of the noise \(variance\) of area comes from light samples", printed, re.M)
+    assert "Surfaces with two sides" not in printed
+
+
+def test_surfaces_with_two_sides_are_named(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """One leaf far away costs most of the gain."""
+    leaf = (
+        '<shape type="rectangle"><transform name="to_world"><scale value="0.1"/><translate x="15" z="1"/>'
+        '</transform><bsdf type="twosided"><bsdf type="diffuse"/></bsdf></shape>'
+    )
+    printed = compared(tmp_path, room(lamp(0, 0.1), ALONE, leaf), capsys, *IN_FULL)
+    found = re.search(
+        r'With hemispheres="front" spherecap would have (less than 1|\d+) % of the noise of area, instead of '
+        r"(\d+) %: that is right if nobody sees the backs",
+        printed,
+    )
+    assert int(found[1].removeprefix("less than ")) < 0.75 * int(found[2])
+
+
+def test_the_choice_among_lights_is_named(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """Of a bright light and nine dim ones it is nearly everything."""
+    lights = lamp(0, 2, 100) + "".join(lamp(x, 3, 0.1) for x in range(-9, 0))
+    printed = compared(tmp_path, room(lights), capsys, *IN_FULL)
+    choice, light = shares(printed, "choice among lights"), shares(printed, "light sampling")
+    assert choice[0] > 80 > light[0]
+    assert choice[1] == 0
+    assert re.search(r"comes from light samples where the camera looks \(\d+ % from the choice", printed)
+
+
+def test_indirect_light_is_named(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """Where the floor is lit by a ceiling alone, whose lamp is above the floor's edge."""
+    lights = (
+        '<shape type="sphere"><point name="center" x="0" y="0" z="9"/><float name="radius" value="0.5"/>'
+        '<emitter type="area"/></shape>'
+        '<shape type="disk"><transform name="to_world"><scale value="4"/><translate z="8"/></transform>'
+        "</shape>"
+        '<shape type="rectangle"><transform name="to_world"><rotate x="1" angle="180"/><scale value="20"/>'
+        '<translate z="10"/></transform></shape>'
+    )
+    path = '<integrator type="path"><integer name="max_depth" value="4"/></integrator>'
+    printed = compared(tmp_path, room(lights, path), capsys, *IN_FULL)
+    area, ours = shares(printed, "indirect light")
+    assert area > 60
+    assert re.search(r"Indirect light makes \d+ % of it; spherecap leaves \d+ %\.", printed)
+    assert ours > 30
+    assert "is indirect light, by way of other surfaces" in printed
+
+
+def test_bsdf_sampling_is_named(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """Under a light so large that rays by chance meet it, it is what is left."""
+    printed = compared(tmp_path, room(lamp(-2, 4, radius=3)), capsys, *IN_FULL)
+    total = shares(printed, "all")[1]
+    assert shares(printed, "BSDF sampling")[1] > 0.5 * total
+
+
+def test_integrators_that_do_not_ask_lights_are_named(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """Measured, not known: the images are the same."""
+    integrator = '<integrator type="ptracer"><integer name="max_depth" value="3"/></integrator>'
+    printed = compared(tmp_path, room(lamp(0, 3), integrator), capsys, *IN_FULL, "--variant", "scalar_rgb")
+    assert "Both give the same images, sample by sample" in printed
+    assert "Either the integrator `ptracer` does not ask lights for samples" in printed
+    assert "of the noise (variance)" not in printed
+
+
+def test_other_integrators_are_not_taken_apart(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """And it is said which are."""
+    printed = compared(tmp_path, room(lamp(0, 0.1), '<integrator type="volpath"/>'), capsys, *IN_FULL)
+    assert "for the integrators `path` and `direct` alone, and this scene has `volpath`." in printed
+
+
+def test_a_wrong_area_is_named(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """A sun of .05 degrees."""
+    use_variant("scalar_rgb")
+    (tmp_path / "floor.xml").write_text(room(""))
+    sun = spherecap.sun([1, 0, 1], 0.05, 1, mi.load_file(str(tmp_path / "floor.xml")))
+    x, y, z = sun["center"]
+    light = f"""<shape type="sphere"><point name="center" x="{x}" y="{y}" z="{z}"/>
+        <float name="radius" value="{sun["radius"]}"/><emitter type="area">
+        <rgb name="radiance" value="{sun["emitter"]["radiance"]["value"]}"/></emitter></shape>"""
+    printed = compared(tmp_path, room(light), capsys, *IN_FULL)
+    assert re.search(
+        r"area is 2[45]\.\d% brighter than spherecap, which is not noise: area is wrong", printed
+    )
+
+
+def test_compare_within_a_time(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """An answer at once, in the end a page; no larger than it need be."""
+    start = time.monotonic()
+    printed = compared(tmp_path, room(lamp(0, 0.1), width=800), capsys, "--minutes", "0.05")
+    assert "so far, with 1 spp: the error of area is " in printed
+    assert f"{SIZE} x {SIZE // 2} pixels" in printed
+    assert "page: " in printed
+    # 3 seconds were asked for. Compiling and writing the page come on top, on a machine that may be busy.
+    assert time.monotonic() - start < 60
+
+
+def test_compare_stops_with_what_it_has(
+    tmp_path: Path, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """When it is interrupted after the first answer."""
+
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Comparison, "repeat", interrupted)
+    printed = compared(tmp_path, room(lamp(0, 0.1)), capsys, "--minutes", "0.05")
+    assert "stopped: this is what was found so far" in printed
+    assert (tmp_path / "out/index.html").exists()
+
+
+def test_the_size_of_the_image(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """Larger, too; and of a part of the image, that part."""
+    printed = compared(tmp_path, room(lamp(0, 0.1)), capsys, "--size", "50", *IN_FULL)
+    assert "50 x 25 pixels" in printed
+    crop = "".join(
+        f'<integer name="crop_{name}" value="{value}"/>'
+        for name, value in (("width", 20), ("height", 10), ("offset_x", 8), ("offset_y", 2))
+    )
+    text = room(lamp(0, 0.1)).replace('<rfilter type="box"/>', f'{crop}<rfilter type="box"/>')
+    (tmp_path / "part").mkdir()
+    printed = compared(tmp_path / "part", text, capsys, "--size", "10", *IN_FULL)
+    assert "10 x 5 pixels" in printed
+
+
+def test_a_sensor_is_chosen(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """By its id or its number; the first, and the output says so, where none is."""
+    other = """<sensor type="perspective" id="other">
+        <transform name="to_world"><lookat origin="3, 0, 5" target="0, 0, 0" up="0, 0, 1"/></transform>
+        <film type="hdrfilm"><integer name="width" value="10"/><integer name="height" value="10"/></film>
+    </sensor>"""
+    text = room(lamp(0, 0.1), more=other)
+    for number, (words, expected) in enumerate(
+        {
+            (): "32 x 16 pixels, .*, sensor 1 'above' of 2 \\(--sensor chooses\\)",
+            ("--sensor", "other"): "10 x 10 pixels, .*, sensor 2 'other' of 2",
+            ("--sensor", "2"): "10 x 10 pixels, .*, sensor 2 'other' of 2",
+        }.items()
+    ):
+        (tmp_path / str(number)).mkdir()
+        assert re.search(expected, compared(tmp_path / str(number), text, capsys, *IN_FULL, *words))
+
+
 BELOW = SPHERE.replace('z="4"', 'z="-9"')
+# A blackbody has no scale.
+MISTAKEN = SPHERE.replace(
+    'area"/>',
+    'area"><spectrum name="radiance" type="blackbody"><float name="temperature" value="3000"/>'
+    '<float name="scale" value="1e-4"/></spectrum></emitter>',
+)
 CUBE = '<shape type="cube"><emitter type="area"/></shape>'
 MESH = '<shape type="obj"><string name="filename" value="x.obj"/></shape>'
 
@@ -304,6 +553,22 @@ MISTAKES = {
         lambda t: ["compare", scene(t, SPHERE), "--output", str(t)],
         "exists: remove it, or choose another folder with --output",
     ),
+    "no sensor": (
+        lambda t: ["compare", write(t / "a.xml", f'<scene version="3.0.0">{SPHERE}</scene>')],
+        "a.xml' has no sensor: without a camera there is nothing to render",
+    ),
+    "no such sensor": (
+        lambda t: ["compare", scene(t, SPHERE), "--sensor", "left"],
+        "a.xml' has no sensor 'left'; choose one of: 1$",
+    ),
+    "a mistake in the light": (
+        lambda t: ["compare", scene(t, MISTAKEN)],
+        r"(?s)Mitsuba cannot load '.*a.xml': While loading .*a.xml \(line \d+.*blackbody.*scale",
+    ),
+    "a mistake in the light to convert": (
+        lambda t: ["convert", scene(t, SPHERE + MISTAKEN), f"{t}/b.xml"],
+        r"(?s)Mitsuba cannot load '.*a.xml': While loading .*a.xml \(line \d+.*blackbody.*scale",
+    ),
     "black": (
         lambda t: ["compare", scene(t, BELOW), "--reference", "1", "--spp", "1", "--output", f"{t}/o"],
         "renders black",
@@ -326,8 +591,11 @@ def test_mistakes_are_explained(name: str, tmp_path: Path, capsys: pytest.Captur
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["compare", "a.xml", "--spp", "0"], "'0' is not a sample count"),
-        (["compare", "a.xml", "--spp", "many"], "'many' is not a sample count"),
+        (["compare", "a.xml", "--spp", "0"], "'0' is not a count"),
+        (["compare", "a.xml", "--spp", "many"], "'many' is not a count"),
+        (["compare", "a.xml", "--minutes", "0"], "'0' is not a time"),
+        (["compare", "a.xml", "--minutes", "soon"], "'soon' is not a time"),
+        (["compare", "a.xml", "--size", "-1"], "'-1' is not a count"),
         (["convert", "a.xml", "b.xml", "-D", "lamp"], "'lamp' is not of the form NAME=VALUE"),
         ([], "required: command"),
     ],
