@@ -92,6 +92,7 @@ $(PLUGIN): $(LIBRARY) $(VENV)/installed $(HEADERS) $(wildcard mitsuba_plugin/*.*
 	$(BIN)/cmake -S mitsuba_plugin -B build -G Ninja -DCMAKE_BUILD_TYPE=Release \
 	    -DCMAKE_MAKE_PROGRAM="$(CURDIR)/$(BIN)/ninja" -DMitsubaWheel_PYTHON="$(CURDIR)/$(BIN)/python" \
 	    -DSPHERECAP_LIBRARY="$(CURDIR)/$(LIBRARY)"
+	@echo "Compiling the emitter for all variants of Mitsuba: a minute or two, without a word in between."
 	MAKEFLAGS= $(BIN)/cmake --build build
 	touch $@
 
@@ -116,7 +117,8 @@ $(IRRADIANCE): tools/cross/irradiance.rs $(LIBRARY)
 
 $(VENV)/installed: requirements.txt
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
+	@echo "Installing Mitsuba, LLVM and the rest of requirements.txt into $(VENV): a large download, a minute or two."
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
 	touch $@
 
 library: $(ARCHIVE) $(SHARED) ## The C library alone, static and shared.
