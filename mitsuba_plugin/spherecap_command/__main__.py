@@ -160,6 +160,7 @@ def _compare(chosen: argparse.Namespace) -> int:
     scene = ParsedScene(chosen.scene, dict(chosen.parameters))
     if not scene.convertible:
         raise UserError(scene.explain_no_lights())
+    scene.must_be_renderable()
     sensor, which = _sensor(chosen.scene, scene.sensors, chosen.sensor)
     for light in scene.refused:
         print(f"stays as it is: {light.where}: {light.refusal}")
@@ -198,8 +199,6 @@ def _compare(chosen: argparse.Namespace) -> int:
 
 def _sensor(scene: Path, ids: list[str], wanted: str | None) -> tuple[int, str]:
     """Return the index of the sensor that is wanted, and words on which it is, if there are several."""
-    if not ids:
-        raise UserError(f"'{scene}' has no sensor: without a camera there is nothing to render and compare")
     names = [str(number) for number in range(1, len(ids) + 1)]
     number = 0
     if wanted is not None:

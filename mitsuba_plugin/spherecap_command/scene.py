@@ -110,9 +110,8 @@ class ParsedScene:
 
     @property
     def integrator(self) -> "mi.Properties":
-        """What the scene says of its integrator; where it has none, Mitsuba's own choice."""
-        found = list(self._parts(mi.ObjectType.Integrator).values())
-        return found[0] if found else mi.Properties("path")
+        """What the scene says of its integrator."""
+        return next(iter(self._parts(mi.ObjectType.Integrator).values()))
 
     @property
     def sensors(self) -> list[str]:
@@ -142,6 +141,15 @@ class ParsedScene:
     def resolve(self, name: str) -> Path:
         """Return the file that the scene means by a name."""
         return Path(str(self._resolver.resolve(name))).resolve()
+
+    def must_be_renderable(self) -> None:
+        """Raise if it lacks what a render needs. (What only has lights can be converted.)"""
+        for kind, why in (
+            (mi.ObjectType.Sensor, "sensor: without a camera there is nothing to render and compare"),
+            (mi.ObjectType.Integrator, 'integrator: add one, <integrator type="path"/> for instance'),
+        ):
+            if not self._parts(kind):
+                raise UserError(f"'{self.path}' has no {why}")
 
     def explain_no_lights(self) -> str:
         """Say why there is nothing to convert or compare."""

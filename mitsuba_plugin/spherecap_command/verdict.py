@@ -181,10 +181,13 @@ def headline(area: Result, ours: Result, truth: Reference) -> str:
         return "Neither has any noise."
     if not np.isfinite(ratio):
         return f"{OURS} has no noise at all, {BUILT_IN} has."
+    samples = (area.rmse(truth) / ours.rmse(truth)) ** 2
     if ratio >= 1.1:
-        return f"{BUILT_IN} takes {ratio:.3g} times as long as {OURS} to be as good."
+        many = f", and {samples:.3g} times as many samples" if samples >= 1.1 else ""
+        return f"{BUILT_IN} takes {ratio:.3g} times as long as {OURS} to be as good{many}."
     if ratio <= 0.9:
-        return f"{OURS} takes {1 / ratio:.3g} times as long as {BUILT_IN} to be as good."
+        many = f", and {1 / samples:.3g} times as many samples" if samples <= 0.9 else ""
+        return f"{OURS} takes {1 / ratio:.3g} times as long as {BUILT_IN} to be as good{many}."
     return f"Neither is better: in equal time {BUILT_IN} and {OURS} are equally good, to within 10 %."
 
 
