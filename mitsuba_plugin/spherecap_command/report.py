@@ -120,11 +120,10 @@ def write_report(
     title: the page's heading. details: a line below it, on how this was made. sentences: the verdict.
     """
     exposed = exposure(truth.image)
-    # Where the built-in emitter errs most at the lowest count, as seen on the screen.
     scale = error_scale(truth.image)
-    error = (np.abs(results[0].image - truth.image) / scale).mean(axis=-1)
-    side = max(min(error.shape) // 4, 1)
-    crop = densest_crop(np.minimum(error, 1), side)
+    # Where the built-in emitter errs most at the lowest count, as seen on the screen.
+    visible = np.abs(to_srgb(results[0].image, exposed) - to_srgb(truth.image, exposed)).mean(axis=-1)
+    crop = densest_crop(visible, max(min(visible.shape) // 4, 1))
 
     def save(name: str, image: np.ndarray) -> tuple[Path, Path]:
         save_exr(folder / f"{name}.exr", image)
@@ -173,8 +172,8 @@ def write_report(
 </div>
 {_table([HEADINGS, *rows(results, truth)])}
 <p class="note">{html.escape(FOOTNOTE)}. The error is what renders with different seeds differ by, relative \
-to the reference, whose own is {truth.noise**0.5:.2g}. The detail is the square in which {BUILT_IN} errs \
-most. All images are beside this page, as EXR and PNG.</p>
+to the reference, whose own is {truth.noise**0.5:.2g}. The detail is the square in which {BUILT_IN} looks \
+worst. All images are beside this page, as EXR and PNG.</p>
 {images}
 </html>
 """,

@@ -206,9 +206,10 @@ class ParsedScene:
 def _children(node: "mi.parser.SceneNode") -> dict[str, int]:
     """Return the nodes that a node refers to, by the names that it has for them."""
     props = node.props
+    names = props.keys()
     return {
         name: props.get(name).index()
-        for name in props
+        for name in names
         if props.type(name) == mi.Properties.Type.ResolvedReference
     }
 
