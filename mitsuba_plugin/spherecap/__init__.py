@@ -111,7 +111,7 @@ def sun(
         raise ValueError(f"The direction towards the sun is three numbers, not all 0; not {list(direction)}.")
     if not 1e-4 <= angular_diameter <= 179:
         raise ValueError(f"A sun is seen 1e-4 to 179 degrees large, not {angular_diameter}.")
-    colour = list(irradiance) if hasattr(irradiance, "__len__") else [irradiance]
+    colour = [float(value) for value in (irradiance if hasattr(irradiance, "__len__") else [irradiance])]
     if len(colour) not in (1, 3) or not all(0 <= value < math.inf for value in colour):
         raise ValueError(f"The irradiance of a sun is one number from 0, or three, not {irradiance}.")
     box = scene.bbox()
@@ -123,7 +123,9 @@ def sun(
     radiance = [value / (math.pi * sine * sine) for value in colour]
     return {
         "type": "sphere",
-        "center": [float(m) + distance * d / length for m, d in zip(box.center(), direction, strict=True)],
+        "center": [
+            float(m) + distance * float(d) / length for m, d in zip(box.center(), direction, strict=True)
+        ],
         "radius": distance * sine,
         "emitter": {
             "type": "spherecap",

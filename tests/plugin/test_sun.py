@@ -48,7 +48,8 @@ def world(integrator: dict, **more: dict) -> dict:
 def rendered(degrees: float, integrator: dict, emitter: str = "spherecap") -> np.ndarray:
     """Return the floor under a sun, relative to the analytic answer."""
     scene = world(integrator)
-    light = spherecap.sun(DIRECTION, degrees, IRRADIANCE, mi.load_dict(scene))
+    # Numbers as numpy has them, too.
+    light = spherecap.sun(np.float32(DIRECTION), degrees, np.float32(IRRADIANCE), mi.load_dict(scene))
     light["emitter"]["type"] = emitter
     image = np.array(mi.render(mi.load_dict({**scene, "sun": light}), spp=16, seed=1), dtype=np.float64)
     return image / (IRRADIANCE * COSINE * REFLECTANCE / math.pi)
