@@ -128,8 +128,13 @@ def mean_of_all(results: Sequence[Result]) -> Reference:
         variances.append(sum(w**2 * one.variance / one.renders for w, one in zip(weights, its, strict=True)))
         if not np.all(np.isfinite(means[-1])):
             raise UserError(f"with '{technique}' the scene has pixels that are infinite or not a number")
-    if not np.any(means):
+    lit = [bool(np.any(mean)) for mean in means]
+    if not any(lit):
         raise UserError("the scene renders black: does its light reach what the camera sees?")
+    if not all(lit):
+        black, other = (BUILT_IN, OURS) if lit[1] else (OURS, BUILT_IN)
+        why = ": its lights are seen too small for it, less than 0.02 degrees" if black == BUILT_IN else ""
+        raise UserError(f"with '{black}' the scene renders black, with '{other}' it does not{why}")
     noise = [variance.mean() for variance in variances]
     ours = noise[0] / sum(noise) if sum(noise) > 0 else 0.5
     spp = sum(one.spp * one.renders for one in results) // 2

@@ -203,12 +203,13 @@ def verdict(
             f"Either the integrator `{integrator}` does not ask lights for samples, or the camera sees "
             "nothing that these lights light."
         ]
-    said = [headline(area, ours, truth)]
     if more := _brighter(area, ours):
-        said.append(
-            f"{BUILT_IN} is {abs(more):.1%} {'brighter' if more > 0 else 'darker'} than {OURS}, which is not "
-            f"noise: {BUILT_IN} is wrong for lights that are seen smaller than a degree."
-        )
+        return [
+            f"{BUILT_IN} is {100 * abs(more):.3g} % {'brighter' if more > 0 else 'darker'} than {OURS}, and "
+            f"that is not noise, so one of them is wrong: {BUILT_IN} is for lights that are seen smaller "
+            f'than a degree, and {OURS} where a scene says hemispheres="front" but shows the backs of surfaces.'
+        ]
+    said = [headline(area, ours, truth)]
     if parts is not None:
         said += _explanation(parts, len(scene.refused))
     elif integrator not in ("path", "direct"):

@@ -416,19 +416,26 @@ def test_other_integrators_are_not_taken_apart(tmp_path: Path, capsys: pytest.Ca
     assert "for the integrators `path` and `direct` alone, and this scene has `volpath`." in printed
 
 
-def test_a_wrong_area_is_named(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    """A sun of .05 degrees."""
+def in_the_sun(folder: Path, degrees: float) -> str:
+    """Return a scene with a sun."""
     use_variant("scalar_rgb")
-    (tmp_path / "floor.xml").write_text(room(""))
-    sun = spherecap.sun([1, 0, 1], 0.05, 1, mi.load_file(str(tmp_path / "floor.xml")))
+    floor = mi.load_file(write(folder / "floor.xml", room("")))
+    sun = spherecap.sun([1, 0, 1], degrees, 1, floor)
     x, y, z = sun["center"]
-    light = f"""<shape type="sphere"><point name="center" x="{x}" y="{y}" z="{z}"/>
+    return room(f"""<shape type="sphere"><point name="center" x="{x}" y="{y}" z="{z}"/>
         <float name="radius" value="{sun["radius"]}"/><emitter type="area">
-        <rgb name="radiance" value="{sun["emitter"]["radiance"]["value"]}"/></emitter></shape>"""
-    printed = compared(tmp_path, room(light), capsys, *IN_FULL)
+        <rgb name="radiance" value="{sun["emitter"]["radiance"]["value"]}"/></emitter></shape>""")
+
+
+def test_a_wrong_area_is_named(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """A sun so small that it is too bright."""
+    printed = compared(tmp_path, in_the_sun(tmp_path, 0.05), capsys, *IN_FULL)
     assert re.search(
-        r"area is 2[45]\.\d% brighter than spherecap, which is not noise: area is wrong", printed
+        r"^area is 25(\.\d)? % brighter than spherecap, and that is not noise, so one of them is wrong: area",
+        printed,
+        re.MULTILINE,
     )
+    assert "times as long" not in printed
 
 
 def test_compare_within_a_time(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
@@ -574,6 +581,10 @@ MISTAKES = {
     "a mistake in the light to convert": (
         lambda t: ["convert", scene(t, SPHERE + MISTAKEN), f"{t}/b.xml"],
         r"(?s)Mitsuba cannot load '.*a.xml': While loading .*a.xml \(line \d+.*blackbody.*scale",
+    ),
+    "a sun too small for area": (
+        lambda t: ["compare", write(t / "a.xml", in_the_sun(t, 0.01)), "--spp", "1", "--output", f"{t}/o"],
+        "with 'area' the scene renders black, with 'spherecap' it does not: its lights are seen too small",
     ),
     "black": (
         lambda t: ["compare", scene(t, BELOW), "--reference", "1", "--spp", "1", "--output", f"{t}/o"],
