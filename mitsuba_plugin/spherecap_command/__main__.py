@@ -256,7 +256,7 @@ def _measured(
         try:
             for spp in counts:
                 comparison.measure(spp, deadline if seconds is None else begin + seconds / 2)
-                if len(results) == 2:
+                if spp == counts[0]:
                     bar.write(f"so far, with {spp} spp: {at_equal_samples(*results, mean_of_all(results))}")
             for area, ours in reversed(pairs(results)):
                 expected = 2 * ours.seconds * renders_of_pieces(scene)

@@ -153,7 +153,7 @@ class Comparison:
         """Begin without any render."""
         self._load, self._advance = load, advance
         self._seed = 0
-        self.turn_seconds = 0.0
+        self._turn_seconds = 0.0
         self.results: list[Result] = []
 
     def take_turn(self, spp: int) -> None:
@@ -179,7 +179,7 @@ class Comparison:
         self._seed += RENDERS_IN_TURN
         if pair[0] not in self.results:  # now that both are there
             self.results += pair
-        self.turn_seconds = time.perf_counter() - began
+        self._turn_seconds = time.perf_counter() - began
 
     def measure(self, spp: int, deadline: float = np.inf) -> None:
         """Take the turns that a result needs, as far as there is time; one, if there is no result yet.
@@ -197,7 +197,7 @@ class Comparison:
             self.take_turn(last)
 
     def _expected_end(self, spp: int) -> float:
-        return time.perf_counter() + self.turn_seconds * max(spp / self.results[-1].spp, 1)
+        return time.perf_counter() + self._turn_seconds * max(spp / self.results[-1].spp, 1)
 
 
 def compare(load: Load, counts: Sequence[int], advance: Advance) -> list[Result]:

@@ -207,7 +207,7 @@ def verdict(
         return [
             f"{BUILT_IN} is {100 * abs(more):.3g} % {'brighter' if more > 0 else 'darker'} than {OURS}, and "
             f"that is not noise, so one of them is wrong: {BUILT_IN} is for lights that are seen smaller "
-            f'than a degree, and {OURS} where a scene says hemispheres="front" but shows the backs of surfaces.'
+            f'than a degree, and {OURS} where a scene says hemispheres="front" but shows backs of surfaces.'
         ]
     said = [headline(area, ours, truth)]
     if parts is not None:
