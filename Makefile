@@ -175,6 +175,9 @@ valgrind: $(LIBRARY) ## Run the C programs of tests and examples under valgrind,
 header: ## Remake the headers in include from src/ffi.
 	SPHERECAP_WRITE_HEADER=1 cargo test --release --locked --test header
 
+shaders: ## Remake the kernels as source of other languages, in shaders.
+	SPHERECAP_WRITE_SHADERS=1 cargo test --release --locked --lib source
+
 accuracy: ## Remake docs/accuracy.md from what the kernels give.
 	SPHERECAP_WRITE_ACCURACY=1 cargo test --release --locked --test kernels accuracy
 

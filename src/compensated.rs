@@ -18,24 +18,25 @@ impl<L: Lane> Twofold<L> {
     /// larger one, and then off by the rounding of `lo`).
     #[inline(always)]
     pub(crate) fn normalised(self) -> Self {
-        let hi = self.hi + self.lo;
-        Self { hi, lo: self.lo - (hi - self.hi) }
+        let hi = (self.hi + self.lo).rounded();
+        Self { hi, lo: (self.lo - (hi - self.hi).rounded()).rounded() }
     }
 }
 
 /// `a b` without error.
 #[inline(always)]
 pub(crate) fn product<L: Lane>(a: L, b: L) -> Twofold<L> {
-    let hi = a * b;
+    let hi = (a * b).rounded();
     Twofold { hi, lo: a.fma(b, -hi) }
 }
 
 /// `a + b` without error (Knuth; no order of magnitudes assumed).
 #[inline(always)]
 fn sum<L: Lane>(a: L, b: L) -> Twofold<L> {
-    let hi = a + b;
-    let b_part = hi - a;
-    Twofold { hi, lo: (a - (hi - b_part)) + (b - b_part) }
+    let hi = (a + b).rounded();
+    let b_part = (hi - a).rounded();
+    let a_part = (hi - b_part).rounded();
+    Twofold { hi, lo: (a - a_part).rounded() + (b - b_part).rounded() }
 }
 
 /// `a . b` as if computed in twice the precision and then split in two. Where the products cancel, `lo` may be as large as

@@ -182,6 +182,13 @@ pub trait Lane:
     fn lit(value: f64) -> Self;
     /// `self * factor + addend`, rounded once.
     fn fma(self, factor: Self, addend: Self) -> Self;
+    /// The same number, with the word that its last operation's rounding counts: what runs or prints a recording of it must not fuse
+    /// that operation with another, or reorder it, even where it may with others.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn rounded(self) -> Self {
+        self
+    }
     /// Square root, correctly rounded; NaN below zero.
     fn sqrt(self) -> Self;
     /// Absolute value.

@@ -60,6 +60,8 @@ mod math;
 mod offset;
 mod prepare;
 mod sampling;
+#[cfg(test)]
+mod source;
 mod vec3;
 
 pub use cap::Cap;

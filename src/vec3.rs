@@ -83,7 +83,7 @@ impl<L: Lane> Vec3<L> {
 /// `a b - c d`, as if rounded once (Jeannerod, Louvet and Muller 2013: within 1.5 units in the last place).
 #[inline(always)]
 fn difference_of_products<L: Lane>(a: L, b: L, c: L, d: L) -> L {
-    let cd = c * d;
+    let cd = (c * d).rounded();
     let error = (-c).fma(d, cd);
     a.fma(b, -cd) + error
 }

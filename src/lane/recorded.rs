@@ -121,6 +121,25 @@ impl<'t> Recorded<'t> {
     }
 }
 
+/// A place on the tape by its number: for `source.rs`, which reads those of a prepared sampler from here.
+#[cfg(test)]
+impl core::fmt::Debug for Recorded<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Constant(value) => write!(f, "{value:?}"),
+            Self::Node(node) => write!(f, "#{}", node.index),
+        }
+    }
+}
+
+#[cfg(test)]
+impl<'t> Recorded<'t> {
+    /// The number at this place.
+    pub(crate) fn at(tape: &'t Tape, place: u32) -> Self {
+        Self::Node(Node { tape, index: place })
+    }
+}
+
 /// A truth value of the graph, or a constant.
 #[derive(Clone, Copy)]
 pub(crate) enum RecordedMask<'t> {
@@ -237,6 +256,13 @@ impl<'t> Lane for Recorded<'t> {
     #[inline(never)]
     fn fma(self, factor: Self, addend: Self) -> Self {
         Self::apply(Op::Fma, [self, factor, addend], |[a, b, c]| a.mul_add(b, c))
+    }
+    #[inline(never)]
+    fn rounded(self) -> Self {
+        if let Self::Node(node) = self {
+            node.tape.keep_rounding(node.index());
+        }
+        self
     }
     #[inline(never)]
     fn sqrt(self) -> Self {

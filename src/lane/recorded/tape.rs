@@ -9,7 +9,7 @@ use core::cell::RefCell;
 pub(crate) type NodeId = u64;
 
 /// What a node computes from its operands. Numbers are `f32`, rounded to nearest; comparisons give truth values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Op {
     Add,
     Sub,
@@ -42,6 +42,13 @@ pub(crate) trait Backend {
     fn literal(&self, value: f32) -> Option<NodeId>;
     /// A new node (or one more reference to an equal one) for an operation; `None` if that failed.
     fn op(&self, op: Op, operands: &[NodeId]) -> Option<NodeId>;
+    /// Says of an operation's node that its rounding counts: it must not be fused with others or put in another order, even if
+    /// other operations may.
+    fn keep_rounding(&self, _: NodeId) {}
+    /// Sides of branches with fewer operations than this are no conditionals.
+    fn fewest(&self) -> usize {
+        FEWEST
+    }
     /// Begins a conditional: the operations until its end are needed only where the mask is true. `None` if the graph will
     /// have none here.
     fn begin_if(&self, mask: NodeId) -> Option<Conditional>;
@@ -93,6 +100,8 @@ pub(crate) struct Tape {
     known: RefCell<Vec<Index>>,
     /// Bit patterns of literals, and where they are.
     literals: RefCell<Vec<(u32, Index)>>,
+    /// The operations whose rounding counts.
+    rounded: RefCell<Vec<Index>>,
     wanted: RefCell<Vec<Index>>,
 }
 
@@ -149,6 +158,10 @@ impl Tape {
         )
     }
 
+    pub(super) fn keep_rounding(&self, index: Index) {
+        self.rounded.borrow_mut().push(index);
+    }
+
     pub(super) fn begin_side(&self, mask: Index) {
         let start = self.entries.borrow().len();
         let mut sides = self.sides.borrow_mut();
@@ -188,26 +201,40 @@ impl Tape {
         backend: &dyn Backend,
         wanted: [Wanted; N],
     ) -> Option<[NodeId; N]> {
-        let entries = self.entries.borrow();
-        let wanted = wanted.map(|Wanted(index)| index);
-        let last_uses = last_uses(&entries, wanted.map(|index| (index, entries.len())));
+        let mut nodes = [0; N];
+        self.play_into(backend, &wanted, &mut nodes).map(|()| nodes)
+    }
+
+    /// The same for any number of nodes.
+    pub(crate) fn play_into(
+        &self,
+        backend: &dyn Backend,
+        wanted: &[Wanted],
+        results: &mut [NodeId],
+    ) -> Option<()> {
+        let (entries, rounded) = (self.entries.borrow(), self.rounded.borrow());
+        let wanted = wanted.iter().map(|&Wanted(index)| index);
+        let last_uses = last_uses(&entries, wanted.clone().map(|index| (index, entries.len())));
         let mut player = Player {
             backend,
             entries: &entries,
+            rounded: &rounded,
             last_uses,
             nodes: vec![0; entries.len()],
             owned: Vec::with_capacity(entries.len()),
         };
         let is_played = player.play(&self.sides.borrow().all);
         let Player { nodes, mut owned, .. } = player;
-        let result = is_played.map(|()| wanted.map(|index| nodes[index]));
-        for node in result.iter().flatten() {
-            if let Some(place) = owned.iter().rposition(|other| other == node) {
-                owned.swap_remove(place);
+        if is_played.is_some() {
+            for (result, index) in results.iter_mut().zip(wanted) {
+                *result = nodes[index];
+                if let Some(place) = owned.iter().rposition(|other| other == result) {
+                    owned.swap_remove(place);
+                }
             }
         }
         owned.into_iter().for_each(|node| backend.release(node));
-        result
+        is_played
     }
 }
 
@@ -231,6 +258,7 @@ fn last_uses(entries: &[Entry], needed: impl IntoIterator<Item = (Index, Index)>
 struct Player<'a> {
     backend: &'a dyn Backend,
     entries: &'a [Entry],
+    rounded: &'a [Index],
     last_uses: Vec<Index>,
     /// The node of each entry; 0 where there is none yet.
     nodes: Vec<NodeId>,
@@ -252,7 +280,7 @@ impl Player<'_> {
 
     fn play(&mut self, sides: &[Side]) -> Option<()> {
         let mut sides = sides.to_vec();
-        sides.retain(|&side| self.operations(side, 1).count() >= FEWEST);
+        sides.retain(|&side| self.operations(side, 1).count() >= self.backend.fewest());
         // Conditionals need their masks, too.
         let known = self.last_uses.iter().copied().enumerate();
         let masks = sides.iter().map(|side| (side.mask, side.start));
@@ -283,6 +311,9 @@ impl Player<'_> {
                 let operands = operands.map(|operand| self.nodes[operand]);
                 let node = self.backend.op(op, op.used(&operands))?;
                 self.own(index, node);
+                if self.rounded.contains(&index) {
+                    self.backend.keep_rounding(node);
+                }
             }
         }
         while let Some((side, conditional)) = open.pop() {

@@ -1,0 +1,43 @@
+#ifndef SPHERECAP_GLSL
+#define SPHERECAP_GLSL
+
+// {about}
+// GLSL 4.00, or later for Vulkan. Define SPHERECAP_FUSED_FMA where fma() rounds once, as on all desktop GPUs: fewer instructions.
+
+float spherecap_min(float a, float b) {
+    return a < b ? a : b;
+}
+
+float spherecap_max(float a, float b) {
+    return a > b ? a : b;
+}
+
+// What rounding took off the product a b.
+float spherecap_lost(float a, float b, float product) {
+#ifdef SPHERECAP_FUSED_FMA
+    precise float lost = fma(a, b, -product);
+#else
+    // Products of halves are exact (Dekker).
+    precise float a_high = uintBitsToFloat(floatBitsToUint(a) & 0xfffff000u);
+    precise float b_high = uintBitsToFloat(floatBitsToUint(b) & 0xfffff000u);
+    precise float a_low = a - a_high;
+    precise float b_low = b - b_high;
+    precise float lost = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+#endif
+    return lost;
+}
+
+// A number without its sign and its significand.
+float spherecap_power_of_two(float a) {
+    return uintBitsToFloat(floatBitsToUint(a) & 0x7f800000u);
+}
+
+// The bits of a number, as a number.
+float spherecap_bits(float a) {
+    return float(floatBitsToInt(a));
+}
+
+// The number of these bits; any number where they are none.
+float spherecap_float_of_bits(float a) {
+    return intBitsToFloat(int(a));
+}

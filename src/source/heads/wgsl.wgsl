@@ -1,0 +1,39 @@
+// {about}
+// Roundings that count are kept by bits that are zero, which the compiler cannot know: WGSL has no other word for that.
+
+// The number as it was rounded, which the compiler cannot see through.
+fn spherecap_keep(a: f32, unknown_zero: u32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(a) | unknown_zero);
+}
+
+fn spherecap_min(a: f32, b: f32) -> f32 {
+    return select(b, a, a < b);
+}
+
+fn spherecap_max(a: f32, b: f32) -> f32 {
+    return select(b, a, b < a);
+}
+
+// What rounding took off the product a b: products of halves are exact (Dekker).
+fn spherecap_lost(a: f32, b: f32, product: f32) -> f32 {
+    let a_high = bitcast<f32>(bitcast<u32>(a) & 0xfffff000u);
+    let b_high = bitcast<f32>(bitcast<u32>(b) & 0xfffff000u);
+    let a_low = a - a_high;
+    let b_low = b - b_high;
+    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
+// A number without its sign and its significand.
+fn spherecap_power_of_two(a: f32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(a) & 0x7f800000u);
+}
+
+// The bits of a number, as a number.
+fn spherecap_bits(a: f32) -> f32 {
+    return f32(bitcast<i32>(a));
+}
+
+// The number of these bits; any number where they are none.
+fn spherecap_float_of_bits(a: f32) -> f32 {
+    return bitcast<f32>(i32(a));
+}
