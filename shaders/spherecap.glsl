@@ -38,6 +38,17 @@ float spherecap_lost(float a, float b, float product) {
     return lost;
 }
 
+// a b + c, rounded as if once where the sum cancels.
+float spherecap_fused(float a, float b, float c) {
+#ifdef SPHERECAP_FUSED_FMA
+    precise float sum = fma(a, b, c);
+#else
+    precise float product = a * b;
+    precise float sum = (product + c) + spherecap_lost(a, b, product);
+#endif
+    return sum;
+}
+
 // A number without its sign and its significand.
 float spherecap_power_of_two(float a) {
     return uintBitsToFloat(floatBitsToUint(a) & 0x7f800000u);
@@ -171,11 +182,11 @@ spherecap_surface_light spherecap_surface_prepare(vec3 normal, vec3 centre, floa
     const float t47 = t45 * t46;
     const bool t48 = 0.0 < t47 && t24;
     precise float t49 = normal.z * t5;
-    const float t50 = fma(normal.y, t6, -t49) - spherecap_lost(normal.z, t5, t49);
+    const float t50 = spherecap_fused(normal.y, t6, -t49) - spherecap_lost(normal.z, t5, t49);
     precise float t51 = normal.x * t6;
-    const float t52 = fma(normal.z, t4, -t51) - spherecap_lost(normal.x, t6, t51);
+    const float t52 = spherecap_fused(normal.z, t4, -t51) - spherecap_lost(normal.x, t6, t51);
     precise float t53 = normal.y * t4;
-    const float t54 = fma(normal.x, t5, -t53) - spherecap_lost(normal.y, t4, t53);
+    const float t54 = spherecap_fused(normal.x, t5, -t53) - spherecap_lost(normal.y, t4, t53);
     const float t55 = fma(t50, t50, fma(t52, t52, t54 * t54));
     const bool t56 = 9.8607613e-32 < t55;
     const bool t57 = abs(t4) < abs(t6);
@@ -643,11 +654,11 @@ spherecap_front_light spherecap_front_prepare(vec3 normal, vec3 centre, float ra
     const bool t56 = 0.0 < t8;
     const bool t57 = 0.0 < t55 && t32 && t56;
     precise float t58 = normal_z * t13;
-    const float t59 = fma(normal_y, t14, -t58) - spherecap_lost(normal_z, t13, t58);
+    const float t59 = spherecap_fused(normal_y, t14, -t58) - spherecap_lost(normal_z, t13, t58);
     precise float t60 = normal_x * t14;
-    const float t61 = fma(normal_z, t12, -t60) - spherecap_lost(normal_x, t14, t60);
+    const float t61 = spherecap_fused(normal_z, t12, -t60) - spherecap_lost(normal_x, t14, t60);
     precise float t62 = normal_y * t12;
-    const float t63 = fma(normal_x, t13, -t62) - spherecap_lost(normal_y, t12, t62);
+    const float t63 = spherecap_fused(normal_x, t13, -t62) - spherecap_lost(normal_y, t12, t62);
     const float t64 = fma(t59, t59, fma(t61, t61, t63 * t63));
     const bool t65 = 9.8607613e-32 < t64;
     const bool t66 = abs(t12) < abs(t14);
@@ -1183,11 +1194,11 @@ spherecap_both_light spherecap_both_prepare(vec3 normal, vec3 centre, float radi
     const bool t56 = 0.0 < t8;
     const bool t57 = 0.0 < t55 && t32 && t56;
     precise float t58 = normal_z * t13;
-    const float t59 = fma(normal_y, t14, -t58) - spherecap_lost(normal_z, t13, t58);
+    const float t59 = spherecap_fused(normal_y, t14, -t58) - spherecap_lost(normal_z, t13, t58);
     precise float t60 = normal_x * t14;
-    const float t61 = fma(normal_z, t12, -t60) - spherecap_lost(normal_x, t14, t60);
+    const float t61 = spherecap_fused(normal_z, t12, -t60) - spherecap_lost(normal_x, t14, t60);
     precise float t62 = normal_y * t12;
-    const float t63 = fma(normal_x, t13, -t62) - spherecap_lost(normal_y, t12, t62);
+    const float t63 = spherecap_fused(normal_x, t13, -t62) - spherecap_lost(normal_y, t12, t62);
     const float t64 = fma(t59, t59, fma(t61, t61, t63 * t63));
     const bool t65 = 9.8607613e-32 < t64;
     const bool t66 = abs(t12) < abs(t14);

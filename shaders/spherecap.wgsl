@@ -34,6 +34,12 @@ fn spherecap_lost(a: f32, b: f32, product: f32) -> f32 {
     return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 
+// a b + c, rounded as if once where the sum cancels.
+fn spherecap_fused(a: f32, b: f32, c: f32, unknown_zero: u32) -> f32 {
+    let product = spherecap_keep(a * b, unknown_zero);
+    return spherecap_keep(product + c, unknown_zero) + spherecap_lost(a, b, product);
+}
+
 // A number without its sign and its significand.
 fn spherecap_power_of_two(a: f32) -> f32 {
     return bitcast<f32>(bitcast<u32>(a) & 0x7f800000u);
@@ -161,11 +167,11 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
     let t40 = t38 * t39;
     let t41 = 0.0 < t40 && t21;
     let t42 = spherecap_keep(normal.z * t5, unknown_zero);
-    let t43 = fma(normal.y, t6, -t42) - spherecap_lost(normal.z, t5, t42);
+    let t43 = spherecap_fused(normal.y, t6, -t42, unknown_zero) - spherecap_lost(normal.z, t5, t42);
     let t44 = spherecap_keep(normal.x * t6, unknown_zero);
-    let t45 = fma(normal.z, t4, -t44) - spherecap_lost(normal.x, t6, t44);
+    let t45 = spherecap_fused(normal.z, t4, -t44, unknown_zero) - spherecap_lost(normal.x, t6, t44);
     let t46 = spherecap_keep(normal.y * t4, unknown_zero);
-    let t47 = fma(normal.x, t5, -t46) - spherecap_lost(normal.y, t4, t46);
+    let t47 = spherecap_fused(normal.x, t5, -t46, unknown_zero) - spherecap_lost(normal.y, t4, t46);
     let t48 = fma(t43, t43, fma(t45, t45, t47 * t47));
     let t49 = 9.8607613e-32 < t48;
     let t50 = abs(t4) < abs(t6);
@@ -627,11 +633,11 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     let t49 = 0.0 < t8;
     let t50 = 0.0 < t48 && t29 && t49;
     let t51 = spherecap_keep(normal_z * t13, unknown_zero);
-    let t52 = fma(normal_y, t14, -t51) - spherecap_lost(normal_z, t13, t51);
+    let t52 = spherecap_fused(normal_y, t14, -t51, unknown_zero) - spherecap_lost(normal_z, t13, t51);
     let t53 = spherecap_keep(normal_x * t14, unknown_zero);
-    let t54 = fma(normal_z, t12, -t53) - spherecap_lost(normal_x, t14, t53);
+    let t54 = spherecap_fused(normal_z, t12, -t53, unknown_zero) - spherecap_lost(normal_x, t14, t53);
     let t55 = spherecap_keep(normal_y * t12, unknown_zero);
-    let t56 = fma(normal_x, t13, -t55) - spherecap_lost(normal_y, t12, t55);
+    let t56 = spherecap_fused(normal_x, t13, -t55, unknown_zero) - spherecap_lost(normal_y, t12, t55);
     let t57 = fma(t52, t52, fma(t54, t54, t56 * t56));
     let t58 = 9.8607613e-32 < t57;
     let t59 = abs(t12) < abs(t14);
@@ -1160,11 +1166,11 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     let t49 = 0.0 < t8;
     let t50 = 0.0 < t48 && t29 && t49;
     let t51 = spherecap_keep(normal_z * t13, unknown_zero);
-    let t52 = fma(normal_y, t14, -t51) - spherecap_lost(normal_z, t13, t51);
+    let t52 = spherecap_fused(normal_y, t14, -t51, unknown_zero) - spherecap_lost(normal_z, t13, t51);
     let t53 = spherecap_keep(normal_x * t14, unknown_zero);
-    let t54 = fma(normal_z, t12, -t53) - spherecap_lost(normal_x, t14, t53);
+    let t54 = spherecap_fused(normal_z, t12, -t53, unknown_zero) - spherecap_lost(normal_x, t14, t53);
     let t55 = spherecap_keep(normal_y * t12, unknown_zero);
-    let t56 = fma(normal_x, t13, -t55) - spherecap_lost(normal_y, t12, t55);
+    let t56 = spherecap_fused(normal_x, t13, -t55, unknown_zero) - spherecap_lost(normal_y, t12, t55);
     let t57 = fma(t52, t52, fma(t54, t54, t56 * t56));
     let t58 = 9.8607613e-32 < t57;
     let t59 = abs(t12) < abs(t14);

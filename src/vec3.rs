@@ -85,7 +85,7 @@ impl<L: Lane> Vec3<L> {
 fn difference_of_products<L: Lane>(a: L, b: L, c: L, d: L) -> L {
     let cd = (c * d).rounded();
     let error = (-c).fma(d, cd);
-    a.fma(b, -cd) + error
+    a.fma(b, -cd).rounded() + error
 }
 
 impl<L: Lane> Mul<L> for Vec3<L> {

@@ -178,9 +178,12 @@ fn the_inline_header_gives_the_bits_of_the_library() {
     let is_sampled = |outputs: &&[f32; OUTPUTS]| outputs[0] == 1.0;
     let sampled = expected.iter().filter(is_sampled).count();
     assert!(sampled > COUNT / 2 && sampled < COUNT - COUNT / 16, "{sampled} of {COUNT} are sampled");
-    let bytes: Vec<u8> = records.iter().flatten().flat_map(|number| number.to_le_bytes()).collect();
-    let input = out_dir().join("records");
-    fs::write(&input, bytes).expect("the target directory is writable");
+    // Both, as `make test-shaders` reads them.
+    let bytes =
+        |numbers: &[f32]| -> Vec<u8> { numbers.iter().flat_map(|number| number.to_le_bytes()).collect() };
+    let [input, output] = ["records", "expected"].map(|name| out_dir().join(name));
+    fs::write(&input, bytes(records.as_flattened())).expect("the target directory is writable");
+    fs::write(&output, bytes(expected.as_flattened())).expect("the target directory is writable");
     for (compiler, language) in compilers() {
         let found = run(compiler, language, "off", &input);
         assert_eq!(found.len(), COUNT, "{compiler}");

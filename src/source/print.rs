@@ -94,7 +94,8 @@ impl<'a> Printer<'a> {
     fn operation(&mut self, value: Value) {
         let (text, binding) = self.expression(value);
         let def = &self.graph.values[value];
-        let is_guarded = def.is_rounded && self.language.guard == Guard::Precise;
+        let is_function = matches!(def.kind, Kind::Op(Op::Fma));
+        let is_guarded = def.is_rounded && !is_function && self.language.guard == Guard::Precise;
         let is_alias = matches!(def.kind, Kind::Merge) || is_sign_of_name(&text);
         let is_folded = self.uses[&value] == 1 && text.len() <= LONGEST;
         if !is_guarded && (is_alias || is_folded) {
@@ -211,6 +212,11 @@ impl<'a> Printer<'a> {
                 };
                 let [a, b] = [0, 1].map(|i| self.text(operands[i], Choice));
                 (format!("{name}({a}, {b})"), Whole)
+            }
+            (_, Kind::Op(Op::Fma)) => {
+                let [a, b, c] = [0, 1, 2].map(|i| self.text(operands[i], Choice));
+                let zero = if language.guard == Guard::UnknownZero { ", unknown_zero" } else { "" };
+                (format!("{}({a}, {b}, {c}{zero})", language.fused), Whole)
             }
             (Guard::UnknownZero, _) => (format!("spherecap_keep({text}, unknown_zero)"), Whole),
             _ => (text, binding),

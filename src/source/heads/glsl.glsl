@@ -27,6 +27,17 @@ float spherecap_lost(float a, float b, float product) {
     return lost;
 }
 
+// a b + c, rounded as if once where the sum cancels.
+float spherecap_fused(float a, float b, float c) {
+#ifdef SPHERECAP_FUSED_FMA
+    precise float sum = fma(a, b, c);
+#else
+    precise float product = a * b;
+    precise float sum = (product + c) + spherecap_lost(a, b, product);
+#endif
+    return sum;
+}
+
 // A number without its sign and its significand.
 float spherecap_power_of_two(float a) {
     return uintBitsToFloat(floatBitsToUint(a) & 0x7f800000u);

@@ -23,6 +23,12 @@ fn spherecap_lost(a: f32, b: f32, product: f32) -> f32 {
     return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 
+// a b + c, rounded as if once where the sum cancels.
+fn spherecap_fused(a: f32, b: f32, c: f32, unknown_zero: u32) -> f32 {
+    let product = spherecap_keep(a * b, unknown_zero);
+    return spherecap_keep(product + c, unknown_zero) + spherecap_lost(a, b, product);
+}
+
 // A number without its sign and its significand.
 fn spherecap_power_of_two(a: f32) -> f32 {
     return bitcast<f32>(bitcast<u32>(a) & 0x7f800000u);
