@@ -211,6 +211,15 @@ test-mitsubas: build $(MITSUBAS) ## The plugin with other releases of Mitsuba: l
 	    "again with \`make PYTHON=python3.11 test-mitsubas\`" >&2; exit 1; }
 	touch $@
 
+test-shaders: .venv-shaders/installed ## Run the shaders on a Vulkan device; needs one, glslang-tools and spirv-tools.
+	cargo test --release --locked --test source
+	.venv-shaders/bin/python -m pytest tests/shaders/executed.py -s
+
+.venv-shaders/installed: tests/shaders/requirements.txt
+	$(PYTHON) -m venv .venv-shaders
+	.venv-shaders/bin/python -m pip install --quiet --disable-pip-version-check -r $<
+	touch $@
+
 cuda-check: build library ## Pack .cuda/, which checks the CUDA variants on a machine with a GPU.
 	tools/cuda/prepare
 
@@ -232,6 +241,7 @@ notebook: build ## Run the cells of docs/tutorial.ipynb, and store what they sho
 	PYTHONPATH=mitsuba_plugin $(BIN)/python tools/notebook.py docs/tutorial.ipynb
 
 clean: ## Remove all that was built, rendered and installed here.
-	rm -rf target build dist out report .cuda $(VENV) .venv-luxcore .venv-cycles .venv-mitsuba-* mitsuba_plugin/spherecap/plugins
+	rm -rf target build dist out report .cuda $(VENV) .venv-luxcore .venv-cycles .venv-shaders .venv-mitsuba-* \
+	    mitsuba_plugin/spherecap/plugins
 
 FORCE:

@@ -15,12 +15,13 @@
 // choose among lights by, in proportion to strength, its radiance. `surface` can be `front` or `both`, see below.
 // Shader model 5.0 or later. Define SPHERECAP_FUSED_FMA where mad() rounds once, as on all desktop GPUs: fewer instructions.
 
+// The second where one is no number.
 float spherecap_min(float a, float b) {
-    return a < b ? a : b;
+    return min(b, a);
 }
 
 float spherecap_max(float a, float b) {
-    return a > b ? a : b;
+    return max(b, a);
 }
 
 // What rounding took off the product a b.

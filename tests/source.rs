@@ -156,12 +156,19 @@ fn compilers() -> Vec<(&'static str, [&'static str; 3])> {
 const OPTIONS: [&str; 8] =
     ["-O2", "-mfma", "-pedantic", "-Wall", "-Wextra", "-Werror", "-Wno-unused-function", "-Ishaders"];
 
-/// What the test program gives for the records in a file.
-fn run(compiler: &str, language: [&str; 3], contraction: &str, input: &Path) -> Vec<[f32; OUTPUTS]> {
-    let program = out_dir().join(format!("inline_{compiler}_{contraction}"));
+/// What a test program gives for the records in a file.
+fn run(
+    source: &str,
+    compiler: &str,
+    language: [&str; 3],
+    contraction: &str,
+    input: &Path,
+) -> Vec<[f32; OUTPUTS]> {
+    let stem = Path::new(source).file_stem().expect("it is a file").to_string_lossy();
+    let program = out_dir().join(format!("{stem}_{compiler}_{contraction}"));
     let mut command = Command::new(compiler);
     command.args(language).args(OPTIONS).arg(format!("-ffp-contract={contraction}")).current_dir(root());
-    let output = command.arg("tests/c/inline.c").args(["-x", "none", "-lm", "-o"]).arg(&program).output();
+    let output = command.arg(source).args(["-x", "none", "-lm", "-o"]).arg(&program).output();
     let output = output.expect("the compiler starts");
     assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
     let stdin = File::open(input).expect("it was just written");
@@ -170,6 +177,19 @@ fn run(compiler: &str, language: [&str; 3], contraction: &str, input: &Path) -> 
     let numbers: Vec<f32> =
         output.stdout.as_chunks().0.iter().map(|bytes| f32::from_le_bytes(*bytes)).collect();
     numbers.as_chunks().0.to_vec()
+}
+
+fn check_bits(
+    compiler: &str,
+    records: &[[f32; INPUTS]],
+    expected: &[[f32; OUTPUTS]],
+    found: &[[f32; OUTPUTS]],
+) {
+    assert_eq!(found.len(), COUNT, "{compiler}");
+    for ((record, expected), found) in records.iter().zip(expected).zip(found) {
+        let bits = |numbers: &[f32; OUTPUTS]| numbers.map(f32::to_bits);
+        assert!(bits(expected) == bits(found), "{compiler}: {record:?} gives\n{found:?}, not\n{expected:?}");
+    }
 }
 
 #[test]
@@ -185,19 +205,12 @@ fn the_inline_header_gives_the_bits_of_the_library() {
     fs::write(&input, bytes(records.as_flattened())).expect("the target directory is writable");
     fs::write(&output, bytes(expected.as_flattened())).expect("the target directory is writable");
     for (compiler, language) in compilers() {
-        let found = run(compiler, language, "off", &input);
-        assert_eq!(found.len(), COUNT, "{compiler}");
-        for ((record, expected), found) in records.iter().zip(&expected).zip(&found) {
-            let bits = |numbers: &[f32; OUTPUTS]| numbers.map(f32::to_bits);
-            assert!(
-                bits(expected) == bits(found),
-                "{compiler}: {record:?} gives\n{found:?}, not\n{expected:?}"
-            );
-        }
+        let found = run("tests/c/inline.c", compiler, language, "off", &input);
+        check_bits(compiler, &records, &expected, &found);
         println!("{compiler}, contraction off: the same bits for {COUNT} inputs, {sampled} of them sampled");
 
         // Where compilers may fuse. Of a sample the density over the cosine: another sample has another cosine. In mixtures, too.
-        let found = run(compiler, language, "fast", &input);
+        let found = run("tests/c/inline.c", compiler, language, "fast", &input);
         let (mut worst, mut same) = ([0.0_f32; 3], 0);
         for ((record, expected), found) in records.iter().zip(&expected).zip(&found) {
             same += usize::from(expected.map(f32::to_bits) == found.map(f32::to_bits));
@@ -218,6 +231,19 @@ fn the_inline_header_gives_the_bits_of_the_library() {
     }
 }
 
+/// As C++: no GPU is needed to see that the operations are the same, in the same order.
+#[test]
+fn the_file_for_cuda_gives_the_bits_of_the_library() {
+    let (records, expected) = records();
+    let bytes: Vec<u8> = records.iter().flatten().flat_map(|number| number.to_le_bytes()).collect();
+    let input = out_dir().join("records_for_cuda");
+    fs::write(&input, bytes).expect("the target directory is writable");
+    let is_cpp = |(compiler, _): &(&str, _)| compiler.ends_with("++");
+    let (compiler, language) = compilers().into_iter().find(is_cpp).expect("there is a C++ compiler");
+    let found = run("tests/c/cuda.cpp", compiler, language, "off", &input);
+    check_bits(compiler, &records, &expected, &found);
+}
+
 #[test]
 fn fast_mathematics_are_refused() {
     for (compiler, language) in compilers() {
@@ -231,4 +257,33 @@ fn fast_mathematics_are_refused() {
         let message = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success() && message.contains("without -ffast-math"), "{compiler}: {message}");
     }
+}
+
+fn shader(name: &str) -> String {
+    fs::read_to_string(root().join("shaders").join(name)).expect("the shaders are readable")
+}
+
+#[test]
+fn naga_takes_the_wgsl_and_the_glsl() {
+    let source = shader("spherecap.wgsl");
+    let module = naga::front::wgsl::parse_str(&source);
+    let module = module.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
+    let mut validator =
+        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty());
+    validator.validate(&module).unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
+    assert_eq!(module.functions.iter().filter(|(_, function)| is_public(function)).count(), 18);
+
+    // All but the word `precise`, which it does not know.
+    let glsl = shader("spherecap.glsl").replace("precise ", "");
+    let source = format!("#version 450\n{glsl}\nvoid main() {{}}\n");
+    let options = naga::front::glsl::Options::from(naga::ShaderStage::Compute);
+    let module = naga::front::glsl::Frontend::default().parse(&options, &source);
+    let module = module.unwrap_or_else(|errors| panic!("{}", errors.emit_to_string(&source)));
+    assert_eq!(module.functions.iter().filter(|(_, function)| is_public(function)).count(), 18);
+}
+
+/// Whether it is one of the six functions of the three forms.
+fn is_public(function: &naga::Function) -> bool {
+    let forms = ["surface_", "front_", "both_"].map(|form| format!("spherecap_{form}"));
+    function.name.as_ref().is_some_and(|name| forms.iter().any(|form| name.starts_with(form)))
 }

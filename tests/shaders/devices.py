@@ -27,6 +27,7 @@ class Vulkan:
     """The first Vulkan device."""
 
     def __init__(self):
+        """Take it, or end with a sentence."""
         try:
             import vulkan as vk
         except OSError:
@@ -62,8 +63,8 @@ class Vulkan:
         vk.vkBindBufferMemory(self.device, buffer, memory, 0)
         return buffer, memory
 
-    def run(self, spirv, records, outputs, groups=None):
-        """`main` of a shader that reads binding 0 and writes binding 1, of so many numbers a record; 64 records a group."""
+    def run(self, spirv, records, outputs):
+        """Run a shader that reads binding 0 and writes binding 1, of so many numbers a record."""
         vk = self.vk
         count = len(records)
         sizes = records.nbytes, 4 * outputs * count
@@ -131,7 +132,7 @@ class Vulkan:
         vk.vkCmdBindDescriptorSets(
             commands, vk.VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_layout, 0, 1, [descriptors], 0, None
         )
-        vk.vkCmdDispatch(commands, groups or -(-count // 64), 1, 1)
+        vk.vkCmdDispatch(commands, -(-count // 64), 1, 1)
         vk.vkEndCommandBuffer(commands)
         submit = vk.VkSubmitInfo(pCommandBuffers=[commands])
         vk.vkQueueSubmit(self.queue, 1, [submit], None)

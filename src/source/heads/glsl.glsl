@@ -4,12 +4,13 @@
 // {about}
 // GLSL 4.00, or later for Vulkan. Define SPHERECAP_FUSED_FMA where fma() rounds once, as on all desktop GPUs: fewer instructions.
 
+// The second where one is no number.
 float spherecap_min(float a, float b) {
-    return a < b ? a : b;
+    return min(b, a);
 }
 
 float spherecap_max(float a, float b) {
-    return a > b ? a : b;
+    return max(b, a);
 }
 
 // What rounding took off the product a b.

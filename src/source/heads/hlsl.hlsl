@@ -4,12 +4,13 @@
 // {about}
 // Shader model 5.0 or later. Define SPHERECAP_FUSED_FMA where mad() rounds once, as on all desktop GPUs: fewer instructions.
 
+// The second where one is no number.
 float spherecap_min(float a, float b) {
-    return a < b ? a : b;
+    return min(b, a);
 }
 
 float spherecap_max(float a, float b) {
-    return a > b ? a : b;
+    return max(b, a);
 }
 
 // What rounding took off the product a b.

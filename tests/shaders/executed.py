@@ -1,0 +1,117 @@
+"""The shaders, run by a Vulkan device and held to the library over 2^20 inputs, half of them hard.
+
+`make test-shaders` runs it, on the inputs of tests/source.rs and on the reference rows.
+"""
+
+import csv
+import pathlib
+
+import numpy as np
+import pytest
+from devices import Vulkan, compiled, run_wgsl
+from mains import INPUTS, OUTPUTS, main
+
+ROOT = pathlib.Path(__file__).parents[2]
+RECORDS = ROOT / "target/tmp/source"
+FORM, NORMAL, DEFENSIVE, U = 0, slice(1, 4), 8, slice(9, 11)
+CENTRE, RADIUS, DIRECTION, STRENGTH = slice(4, 7), 7, slice(11, 14), 14
+IS_SAMPLED, PROJECTED_SOLID_ANGLE, TO, COSINE = 0, 2, slice(3, 6), 10
+PROJECTED_PDF, PDF_ON_SPHERE, IMPORTANCE = 12, 14, 15
+HLSL = ["-D", "-e", "main"]
+
+
+@pytest.fixture(scope="session")
+def device():
+    """Run everything on this one."""
+    device = Vulkan()
+    print("Vulkan device:", device.name)
+    return device
+
+
+def run(device, language, records, folder):
+    """Give what a file's functions give for records."""
+    if language == "wgsl":
+        return run_wgsl(main(language), records, OUTPUTS)
+    # What the file for Slang uses is HLSL, too.
+    spirv = compiled(main(language), [] if language == "glsl" else HLSL, folder, language)
+    return device.run(spirv, records, OUTPUTS)
+
+
+def relative(found, expected):
+    """Give errors as parts of what is expected."""
+    return np.abs(found / expected.astype(np.float64) - 1)
+
+
+@pytest.mark.parametrize("language", ["glsl", "hlsl", "slang", "wgsl"])
+def test_shaders_agree_with_the_library(device, language, tmp_path):
+    """Over the records of tests/source.rs."""
+    records = np.fromfile(RECORDS / "records", np.float32).reshape(-1, INPUTS)
+    expected = np.fromfile(RECORDS / "expected", np.float32).reshape(-1, OUTPUTS)
+    found = run(device, language, records, tmp_path)
+    assert len(found) == 1 << 20
+    assert np.isfinite(found).all()
+
+    # A normal that has to be normalised first is another one by a rounding, which a sphere that has all but
+    # set shows.
+    normal = records[:, NORMAL].astype(np.float64)
+    with np.errstate(invalid="ignore"):
+        is_unit = np.abs(np.linalg.norm(normal, axis=1) - 1) < 1e-6
+    is_refused = found[:, IS_SAMPLED] != expected[:, IS_SAMPLED]
+    cosine = np.maximum(np.abs(found[:, COSINE]), np.abs(expected[:, COSINE]))
+    assert not (is_refused & is_unit & (cosine > 2e-7)).any()
+    assert is_refused.sum() < 100, is_refused.sum()
+
+    is_sampled = (found[:, IS_SAMPLED] == 1) & (expected[:, IS_SAMPLED] == 1)
+    lengths = np.linalg.norm(found[is_sampled, TO].astype(np.float64), axis=1)
+    print(f"{language}: {is_refused.sum()} refused otherwise, lengths off by {np.abs(lengths - 1).max():.1e}")
+    assert np.abs(lengths - 1).max() < 1e-6
+
+    is_hard = np.arange(len(records)) % 2 == 1
+    with np.errstate(invalid="ignore"):
+        towards = np.abs((normal * records[:, DIRECTION]).sum(axis=1))
+    for form, name in enumerate(("surface", "front", "both")):
+        is_form = is_sampled & is_unit & (records[:, FORM] == form)
+        is_pure = is_form & ((form == 0) | ~(records[:, DEFENSIVE] > 0))
+        for hard in False, True:
+            # Of samples the density over the cosine: the cosine of another sample is another. A direction's
+            # cosine is known to the rounding of a unit vector, and so is its side of the horizon.
+            chosen = is_pure & (is_hard == hard) & (expected[:, PROJECTED_PDF] > 0)
+            of_samples = relative(found[chosen, PROJECTED_PDF], expected[chosen, PROJECTED_PDF]).max()
+            chosen = is_form & (is_hard == hard) & (expected[:, PDF_ON_SPHERE] > 0) & (towards > 2e-7)
+            errors = relative(found[chosen, PDF_ON_SPHERE], expected[chosen, PDF_ON_SPHERE])
+            of_directions = (errors * towards[chosen]).max()
+            kind = "hard" if hard else "ordinary"
+            print(f"{language}, {name}, {kind}: samples' densities are off by {of_samples:.1e},")
+            print(f"    those of directions by {of_directions:.1e}")
+            # The smaller side of `both` has the share that the larger leaves of 1.
+            assert of_samples < (5e-6 if hard or form == 2 else 2e-6)
+            assert of_directions < (1e-5 if form == 2 else 5e-6)
+        # Of what a light of that size could give: what all but set gives next to nothing.
+        centre, radius = records[:, CENTRE].astype(np.float64), records[:, RADIUS].astype(np.float64)
+        with np.errstate(all="ignore"):
+            most = records[:, STRENGTH] * radius**2 / (centre**2).sum(axis=1)
+            errors = np.abs(found[:, IMPORTANCE] - expected[:, IMPORTANCE].astype(np.float64)) / most
+        of_importances = errors[
+            (records[:, FORM] == form) & is_unit & (expected[:, IMPORTANCE] > 1e-37)
+        ].max()
+        print(f"{language}, {name}: importances are off by {of_importances:.1e} of the most")
+        assert of_importances < 2e-6
+
+
+@pytest.mark.parametrize("language", ["glsl", "wgsl"])
+def test_projected_solid_angles_are_those_of_the_reference(device, language, tmp_path):
+    """Over the rows of tests/data/caps.csv."""
+    rows = list(csv.DictReader((ROOT / "tests/data/caps.csv").open()))
+    assert len(rows) == 400
+    records = np.zeros((len(rows), INPUTS), np.float32)
+    records[:, FORM] = 1
+    for record, row in zip(records, rows, strict=True):
+        record[1:8] = [float.fromhex(row[name]) for name in ("nx", "ny", "nz", "cx", "cy", "cz", "r")]
+    records[:, U] = 0.5
+    found = run(device, language, records, tmp_path)
+    expected = np.array([float(row["projected_solid_angle"]) for row in rows])
+    is_visible = expected > 0
+    assert (found[~is_visible, IS_SAMPLED] == 0).all()
+    errors = relative(found[is_visible, PROJECTED_SOLID_ANGLE], expected[is_visible])
+    print(f"{language}: projected solid angles of {len(errors)} rows are off by {errors.max():.1e}")
+    assert errors.max() < 2e-6
