@@ -257,7 +257,6 @@ const SLANG: Language = Language {
     file: "spherecap.slang",
     head: include_str!("heads/slang.slang"),
     guard: Guard::UnknownZero,
-    fma: "fma",
     ..HLSL
 };
 

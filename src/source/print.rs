@@ -194,7 +194,10 @@ impl<'a> Printer<'a> {
             },
             Kind::Min | Kind::Max | Kind::Lost => {
                 let name = language.function(kind);
-                let arguments: Vec<String> = (0..operands.len()).map(|i| text(i, Choice)).collect();
+                let mut arguments: Vec<String> = (0..operands.len()).map(|i| text(i, Choice)).collect();
+                if kind == Kind::Lost && language.guard == Guard::UnknownZero {
+                    arguments.push("unknown_zero".to_owned());
+                }
                 (format!("{name}({})", arguments.join(", ")), Whole)
             }
             Kind::Merge => return self.alias(operands[0]),

@@ -16,18 +16,21 @@ fn spherecap_max(a: f32, b: f32) -> f32 {
 }
 
 // What rounding took off the product a b: products of halves are exact (Dekker).
-fn spherecap_lost(a: f32, b: f32, product: f32) -> f32 {
+fn spherecap_lost(a: f32, b: f32, product: f32, unknown_zero: u32) -> f32 {
     let a_high = bitcast<f32>(bitcast<u32>(a) & 0xfffff000u);
     let b_high = bitcast<f32>(bitcast<u32>(b) & 0xfffff000u);
-    let a_low = a - a_high;
-    let b_low = b - b_high;
-    return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    let a_low = spherecap_keep(a - a_high, unknown_zero);
+    let b_low = spherecap_keep(b - b_high, unknown_zero);
+    var lost = spherecap_keep(a_high * b_high - product, unknown_zero);
+    lost = spherecap_keep(lost + a_high * b_low, unknown_zero);
+    lost = spherecap_keep(lost + a_low * b_high, unknown_zero);
+    return lost + a_low * b_low;
 }
 
 // a b + c, rounded as if once where the sum cancels.
 fn spherecap_fused(a: f32, b: f32, c: f32, unknown_zero: u32) -> f32 {
     let product = spherecap_keep(a * b, unknown_zero);
-    return spherecap_keep(product + c, unknown_zero) + spherecap_lost(a, b, product);
+    return spherecap_keep(product + c, unknown_zero) + spherecap_lost(a, b, product, unknown_zero);
 }
 
 // A number without its sign and its significand.
