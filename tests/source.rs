@@ -231,6 +231,23 @@ fn the_inline_header_gives_the_bits_of_the_library() {
     }
 }
 
+/// `make test-shaders` holds its picture to that of the shader.
+#[test]
+fn the_example_in_c_needs_the_header_alone() {
+    for (compiler, language) in compilers() {
+        let program = out_dir().join(format!("direct_light_{compiler}"));
+        let mut command = Command::new(compiler);
+        command.args(language).args(OPTIONS).arg("examples/direct_light.c").args(["-x", "none", "-lm", "-o"]);
+        let output = command.arg(&program).current_dir(root()).output().expect("the compiler starts");
+        assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
+        let picture = Command::new(&program).output().expect("what was built can be run").stdout;
+        let pixels = picture.strip_prefix(b"P6\n480 270\n255\n").expect("it is a picture");
+        assert_eq!(pixels.len(), 480 * 270 * 3);
+        let lit = pixels.iter().filter(|&&x| x > 0).count();
+        assert!(2 * lit > pixels.len(), "{compiler}: {lit} numbers of {} are lit", pixels.len());
+    }
+}
+
 /// As C++: no GPU is needed to see that the operations are the same, in the same order.
 #[test]
 fn the_file_for_cuda_gives_the_bits_of_the_library() {

@@ -5,8 +5,10 @@
 
 import csv
 import pathlib
+import subprocess
 
 import numpy as np
+import picture
 import pytest
 from devices import Vulkan, compiled, run_wgsl
 from mains import INPUTS, OUTPUTS, main
@@ -115,3 +117,27 @@ def test_projected_solid_angles_are_those_of_the_reference(device, language, tmp
     errors = relative(found[is_visible, PROJECTED_SOLID_ANGLE], expected[is_visible])
     print(f"{language}: projected solid angles of {len(errors)} rows are off by {errors.max():.1e}")
     assert errors.max() < 2e-6
+
+
+def test_the_examples_give_the_picture_of_the_page(device, tmp_path):
+    """In GLSL and in C, by the same random numbers: but for shadows' edges, where rounding decides."""
+    committed = picture.pixels_of(ROOT / "docs/source.png").astype(int)
+    program, file = tmp_path / "direct_light", ROOT / "examples/direct_light.c"
+    command = [
+        "cc",
+        "-std=c99",
+        "-O2",
+        "-mfma",
+        f"-I{ROOT / 'shaders'}",
+        str(file),
+        "-lm",
+        "-o",
+        str(program),
+    ]
+    subprocess.run(command, check=True)
+    printed = subprocess.run([program], check=True, capture_output=True).stdout
+    from_c = np.frombuffer(printed[-committed.size :], np.uint8).reshape(committed.shape)
+    for found in picture.rendered(device, tmp_path), from_c:
+        differs = np.abs(found - committed).max(axis=2) > 2
+        print(f"{differs.sum()} of {differs.size} pixels differ from docs/source.png")
+        assert differs.sum() < differs.size / 1000
