@@ -189,6 +189,12 @@ pub trait Lane:
     fn rounded(self) -> Self {
         self
     }
+    /// The same number, with what it is called where a recording of it is printed.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn named(self, _: &'static str) -> Self {
+        self
+    }
     /// Square root, correctly rounded; NaN below zero.
     fn sqrt(self) -> Self;
     /// Absolute value.

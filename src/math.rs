@@ -114,7 +114,7 @@ pub(crate) fn power_of_two_near_reciprocal<L: Lane>(x: L) -> [L; 2] {
     let power = power_of_two_near(x);
     // The biased exponents of a power of two and of its reciprocal add up to twice the bias.
     let ones = 2.0 * L::EXPONENT_BIAS as f64 * (L::SIGNIFICAND_BITS as f64).exp2();
-    [(lit(ones) - power.bits()).float_of_bits(), power]
+    [(lit(ones) - power.bits()).float_of_bits().named("scale"), power.named("unscale")]
 }
 
 #[cfg(test)]

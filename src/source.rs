@@ -18,7 +18,7 @@ mod print;
 use crate::lane::recorded::{Recorded, RecordedMask, Tape, Wanted};
 use crate::lane::{Lane, Mask};
 use crate::prepare::is_unit;
-use crate::sampling::{Hemispheres, Receiver, Sampler, Strategy, Technique};
+use crate::sampling::{Hemispheres, Receiver, Sample, Sampler, Strategy, Technique};
 use crate::vec3::Vec3;
 use graph::{Builder, Graph, Kind, Value};
 use language::{Guard, Language, Type, LANGUAGES};
@@ -275,18 +275,22 @@ struct Functions {
 impl Functions {
     fn new(form: Form) -> Self {
         let sample = of_sampler(form, |session, sampler| {
-            let sample = sampler.sample(session.input(U), session.input(U + 1));
-            let [direction, normal] = [sample.direction, sample.normal];
-            let density = sample.density;
+            let Sample { offset, direction, distance, normal, density } =
+                sampler.sample(session.input(U), session.input(U + 1));
+            for (number, name) in
+                [(offset.zenith, "zenith"), (offset.side, "side"), (offset.cosine, "cosine")]
+            {
+                number.named(name);
+            }
             vec![
                 direction.x,
                 direction.y,
                 direction.z,
-                sample.distance,
+                distance,
                 normal.x,
                 normal.y,
                 normal.z,
-                sample.offset.cosine,
+                offset.cosine,
                 density.solid_angle,
                 density.projected_solid_angle,
             ]
@@ -330,10 +334,11 @@ impl Functions {
         let (outputs, all_values) = values.split_at(first);
         let mut outputs = outputs.to_vec();
         outputs.extend(read.iter().map(|(place, _)| all_values[*place]));
-        let fields = all.into_iter().map(|(name, _)| name).zip(all_values.iter().copied()).collect();
+        let names: Vec<String> = all.into_iter().map(|(name, _)| name).collect();
         let mut graph = builder.finish();
+        graph.names.extend(all_values.iter().copied().zip(names).rev());
         graph.tidy(&outputs);
-        Function { graph, outputs, fields }
+        Function { graph, outputs, fields: vec![] }
     }
 
     fn importance(form: Form) -> Function {
@@ -442,11 +447,9 @@ impl Language {
         fields.extend(functions.fields.iter().map(|(_, name)| (name.clone(), Type::Number)));
         text += &self.structure(sampler, &fields);
         text.push('\n');
-        let Function { graph, outputs, fields: named, .. } = &functions.prepare;
-        let wishes: HashMap<Value, String> =
-            named.iter().rev().map(|(name, value)| (*value, name.clone())).collect();
+        let Function { graph, outputs, .. } = &functions.prepare;
         let inputs = self.inputs(&[]);
-        let mut printer = Printer::new(self, graph, &inputs, &wishes, outputs);
+        let mut printer = Printer::new(self, graph, &inputs, outputs);
         if self.guard == Guard::UnknownZero {
             printer.line(self.unknown_zero());
         }
@@ -462,8 +465,7 @@ impl Language {
         // A sample of it.
         let sample = &functions.sample;
         let inputs = self.inputs(&sample.fields);
-        let wishes = HashMap::new();
-        let mut printer = Printer::new(self, &sample.graph, &inputs, &wishes, &sample.outputs);
+        let mut printer = Printer::new(self, &sample.graph, &inputs, &sample.outputs);
         printer.line(&not_sampled);
         printer.line(&format!("    return {}no_sample();", self.prefix));
         printer.line("}");
@@ -504,7 +506,7 @@ impl Language {
             [("pdf_direction", &functions.pdf_direction), ("pdf_on_sphere", &functions.pdf_on_sphere)]
         {
             let inputs = self.inputs(&function.fields);
-            let mut printer = Printer::new(self, &function.graph, &inputs, &wishes, &function.outputs);
+            let mut printer = Printer::new(self, &function.graph, &inputs, &function.outputs);
             printer.line(&not_sampled);
             printer.line(&format!("    return {};", self.number(0)));
             printer.line("}");
@@ -518,7 +520,7 @@ impl Language {
         // The importance.
         let importance = &functions.importance;
         let inputs = self.inputs(&[]);
-        let mut printer = Printer::new(self, &importance.graph, &inputs, &wishes, &importance.outputs);
+        let mut printer = Printer::new(self, &importance.graph, &inputs, &importance.outputs);
         printer.run();
         let value = printer.whole(importance.outputs[0]);
         printer.line(&format!("return {value};"));

@@ -265,6 +265,13 @@ impl<'t> Lane for Recorded<'t> {
         self
     }
     #[inline(never)]
+    fn named(self, name: &'static str) -> Self {
+        if let Self::Node(node) = self {
+            node.tape.name(node.index(), name);
+        }
+        self
+    }
+    #[inline(never)]
     fn sqrt(self) -> Self {
         Self::apply(Op::Sqrt, [self], |[a]| a.sqrt())
     }

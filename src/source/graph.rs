@@ -62,6 +62,8 @@ pub(super) struct Merge {
 pub(super) struct Graph {
     pub values: Vec<Def>,
     pub items: Vec<Item>,
+    /// What values are to be called.
+    pub names: HashMap<Value, String>,
 }
 
 /// What the innermost conditional knows beside the outer ones.
@@ -299,6 +301,10 @@ impl Backend for Builder {
 
     fn keep_rounding(&self, rounded: NodeId) {
         self.state.borrow_mut().graph.values[value(rounded)].is_rounded = true;
+    }
+
+    fn name(&self, named: NodeId, name: &'static str) {
+        self.state.borrow_mut().graph.names.entry(value(named)).or_insert_with(|| name.to_owned());
     }
 
     fn begin_if(&self, mask: NodeId) -> Option<Conditional> {

@@ -27,8 +27,6 @@ pub(super) struct Printer<'a> {
     graph: &'a Graph,
     /// Parameters, by their places.
     inputs: &'a [String],
-    /// What values are to be called.
-    wishes: &'a HashMap<Value, String>,
     uses: HashMap<Value, usize>,
     texts: HashMap<Value, (String, Binding)>,
     taken: HashSet<String>,
@@ -42,7 +40,6 @@ impl<'a> Printer<'a> {
         language: &'a Language,
         graph: &'a Graph,
         inputs: &'a [String],
-        wishes: &'a HashMap<Value, String>,
         outputs: &[Value],
     ) -> Self {
         let mut uses = HashMap::new();
@@ -53,7 +50,7 @@ impl<'a> Printer<'a> {
         let taken = inputs.iter().map(|input| input.split(['.', '[']).next().unwrap_or(input).to_owned());
         let taken = taken.chain(["radius", "normal", "centre"].map(String::from)).collect();
         let (texts, lines) = (HashMap::new(), String::new());
-        Self { language, graph, inputs, wishes, uses, texts, taken, count: 0, lines, indent: 1 }
+        Self { language, graph, inputs, uses, texts, taken, count: 0, lines, indent: 1 }
     }
 
     pub(super) fn line(&mut self, text: &str) {
@@ -73,7 +70,7 @@ impl<'a> Printer<'a> {
     }
 
     fn name(&mut self, value: Value) -> String {
-        if let Some(wish) = self.wishes.get(&value) {
+        if let Some(wish) = self.graph.names.get(&value) {
             if self.taken.insert(wish.clone()) {
                 return wish.clone();
             }

@@ -45,6 +45,8 @@ pub(crate) trait Backend {
     /// Says of an operation's node that its rounding counts: it must not be fused with others or put in another order, even if
     /// other operations may.
     fn keep_rounding(&self, _: NodeId) {}
+    /// Says what an operation's node is called where people read it.
+    fn name(&self, _: NodeId, _: &'static str) {}
     /// Sides of branches with fewer operations than this are no conditionals.
     fn fewest(&self) -> usize {
         FEWEST
@@ -102,6 +104,7 @@ pub(crate) struct Tape {
     literals: RefCell<Vec<(u32, Index)>>,
     /// The operations whose rounding counts.
     rounded: RefCell<Vec<Index>>,
+    names: RefCell<Vec<(Index, &'static str)>>,
     wanted: RefCell<Vec<Index>>,
 }
 
@@ -162,6 +165,10 @@ impl Tape {
         self.rounded.borrow_mut().push(index);
     }
 
+    pub(super) fn name(&self, index: Index, name: &'static str) {
+        self.names.borrow_mut().push((index, name));
+    }
+
     pub(super) fn begin_side(&self, mask: Index) {
         let start = self.entries.borrow().len();
         let mut sides = self.sides.borrow_mut();
@@ -212,13 +219,14 @@ impl Tape {
         wanted: &[Wanted],
         results: &mut [NodeId],
     ) -> Option<()> {
-        let (entries, rounded) = (self.entries.borrow(), self.rounded.borrow());
+        let (entries, rounded, names) = (self.entries.borrow(), self.rounded.borrow(), self.names.borrow());
         let wanted = wanted.iter().map(|&Wanted(index)| index);
         let last_uses = last_uses(&entries, wanted.clone().map(|index| (index, entries.len())));
         let mut player = Player {
             backend,
             entries: &entries,
             rounded: &rounded,
+            names: &names,
             last_uses,
             nodes: vec![0; entries.len()],
             owned: Vec::with_capacity(entries.len()),
@@ -259,6 +267,7 @@ struct Player<'a> {
     backend: &'a dyn Backend,
     entries: &'a [Entry],
     rounded: &'a [Index],
+    names: &'a [(Index, &'static str)],
     last_uses: Vec<Index>,
     /// The node of each entry; 0 where there is none yet.
     nodes: Vec<NodeId>,
@@ -313,6 +322,9 @@ impl Player<'_> {
                 self.own(index, node);
                 if self.rounded.contains(&index) {
                     self.backend.keep_rounding(node);
+                }
+                for (_, name) in self.names.iter().filter(|(named, _)| *named == index) {
+                    self.backend.name(node, name);
                 }
             }
         }
