@@ -231,6 +231,28 @@ fn the_inline_header_gives_the_bits_of_the_library() {
     }
 }
 
+/// The program of docs/source.md, which estimates without noise.
+#[test]
+fn the_program_of_the_page_prints_one_number_twice() {
+    let page = fs::read_to_string(root().join("docs/source.md")).expect("the page is readable");
+    let (_, rest) = page.split_once("```c\n").expect("it has a block of C");
+    let (block, _) = rest.split_once("```").expect("the block ends");
+    let source = out_dir().join("page.c");
+    fs::write(&source, block).expect("the target directory is writable");
+    for (compiler, language) in compilers() {
+        let program = out_dir().join(format!("page_{compiler}"));
+        let mut command = Command::new(compiler);
+        command.args(language).args(OPTIONS).arg(&source).args(["-x", "none", "-lm", "-o"]).arg(&program);
+        let output = command.current_dir(root()).output().expect("the compiler starts");
+        assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
+        let printed = Command::new(&program).output().expect("what was built can be run").stdout;
+        let printed = String::from_utf8(printed).expect("it prints text");
+        let numbers: Vec<f64> =
+            printed.split([' ', ',', '\n']).filter_map(|word| word.parse().ok()).collect();
+        assert!(numbers.len() == 2 && (numbers[0] / numbers[1] - 1.0).abs() < 1e-5, "{compiler}: {printed}");
+    }
+}
+
 /// `make test-shaders` holds its picture to that of the shader.
 #[test]
 fn the_example_in_c_needs_the_header_alone() {

@@ -141,3 +141,11 @@ def test_the_examples_give_the_picture_of_the_page(device, tmp_path):
         differs = np.abs(found - committed).max(axis=2) > 2
         print(f"{differs.sum()} of {differs.size} pixels differ from docs/source.png")
         assert differs.sum() < differs.size / 1000
+
+
+def test_the_function_of_the_page_compiles(tmp_path):
+    """The block of docs/source.md, pasted into a shader after the file."""
+    page = (ROOT / "docs/source.md").read_text()
+    block = page.split("```glsl\n")[1].split("```")[0]
+    file = (ROOT / "shaders/spherecap.glsl").read_text()
+    compiled(f"#version 450\n{file}\n{block}\nvoid main() {{}}\n", [], tmp_path, "page")
