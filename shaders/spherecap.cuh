@@ -75,18 +75,10 @@ struct spherecap_surface_light {
     bool is_sampled;
     float solid_angle;
     float projected_solid_angle;
-    float frame_0_x;
-    float frame_0_y;
-    float frame_0_z;
-    float frame_1_x;
-    float frame_1_y;
-    float frame_1_z;
-    float frame_2_x;
-    float frame_2_y;
-    float frame_2_z;
-    float normal_x;
-    float normal_y;
-    float normal_z;
+    float3 frame_0;
+    float3 frame_1;
+    float3 frame_2;
+    float3 normal;
     float distance;
     float radius_sin;
     float inv_radius_sin;
@@ -293,18 +285,10 @@ static __device__ inline spherecap_surface_light spherecap_surface_prepare(float
     light.is_sampled = t121;
     light.solid_angle = t121 ? (t88 ? t86 * (t50 * t5) * 6.2831855f : 0.0f) : 0.0f;
     light.projected_solid_angle = t121 ? projected_above : 0.0f;
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = fmaf(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = fmaf(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = fmaf(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal.x;
-    light.normal_y = normal.y;
-    light.normal_z = normal.z;
+    light.frame_0 = make_float3(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = make_float3(fmaf(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fmaf(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fmaf(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = make_float3(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = make_float3(normal.x, normal.y, normal.z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -431,16 +415,16 @@ static __device__ inline spherecap_sample spherecap_surface_sample(spherecap_sur
     const float q = sqrtf(t59);
     const float towards_centre = sqrtf(fmaf(light.radius_cos, light.radius_cos, t59));
     const float distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    const float t60 = fmaf(light.frame_0_x, towards_centre, fmaf(light.frame_1_x, zenith, light.frame_2_x * side));
-    const float t61 = fmaf(light.frame_0_y, towards_centre, fmaf(light.frame_1_y, zenith, light.frame_2_y * side));
-    const float t62 = fmaf(light.frame_0_z, towards_centre, fmaf(light.frame_1_z, zenith, light.frame_2_z * side));
+    const float t60 = fmaf(light.frame_0.x, towards_centre, fmaf(light.frame_1.x, zenith, light.frame_2.x * side));
+    const float t61 = fmaf(light.frame_0.y, towards_centre, fmaf(light.frame_1.y, zenith, light.frame_2.y * side));
+    const float t62 = fmaf(light.frame_0.z, towards_centre, fmaf(light.frame_1.z, zenith, light.frame_2.z * side));
     const float t63 = distance * light.inv_radius_sin;
     const float t64 = -fmaf(towards_centre, q, sin2) * light.inv_radius_sin;
     const float t65 = t63 * zenith;
     const float t66 = t63 * side;
-    const float t67 = fmaf(light.frame_0_x, t64, fmaf(light.frame_1_x, t65, light.frame_2_x * t66));
-    const float t68 = fmaf(light.frame_0_y, t64, fmaf(light.frame_1_y, t65, light.frame_2_y * t66));
-    const float t69 = fmaf(light.frame_0_z, t64, fmaf(light.frame_1_z, t65, light.frame_2_z * t66));
+    const float t67 = fmaf(light.frame_0.x, t64, fmaf(light.frame_1.x, t65, light.frame_2.x * t66));
+    const float t68 = fmaf(light.frame_0.y, t64, fmaf(light.frame_1.y, t65, light.frame_2.y * t66));
+    const float t69 = fmaf(light.frame_0.z, t64, fmaf(light.frame_1.z, t65, light.frame_2.z * t66));
     spherecap_sample sampled;
     sampled.direction = make_float3(t60, t61, t62);
     sampled.distance = distance * light.distance;
@@ -460,10 +444,10 @@ static __device__ inline float spherecap_surface_pdf_direction(spherecap_surface
     if (!light.is_sampled) {
         return 0.0f;
     }
-    const float t1 = fmaf(light.frame_0_x, direction.x, fmaf(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    const float t2 = fmaf(light.frame_1_x, direction.x, fmaf(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    const float t3 = fmaf(light.frame_2_x, direction.x, fmaf(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    const float t4 = fmaf(light.normal_x, direction.x, fmaf(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = fmaf(light.frame_0.x, direction.x, fmaf(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    const float t2 = fmaf(light.frame_1.x, direction.x, fmaf(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    const float t3 = fmaf(light.frame_2.x, direction.x, fmaf(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    const float t4 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const bool t5 = t1 < 0.0f;
     const float t6 = t5 ? 1.0f : t2;
     const float t7 = t5 ? 1.0f : t3;
@@ -477,7 +461,7 @@ static __device__ inline float spherecap_surface_pdf_on_sphere(spherecap_surface
     if (!light.is_sampled) {
         return 0.0f;
     }
-    const float t1 = fmaf(light.normal_x, direction.x, fmaf(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = (0.0f < t1 ? light.inv_above : 0.0f) * spherecap_min(fabsf(t1), 3.4028235e38f);
     const float t3 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
     return (0.998001f <= t3 && t3 <= 1.002001f) ? t2 : 0.0f;
@@ -513,18 +497,10 @@ struct spherecap_front_light {
     bool is_sampled;
     float solid_angle;
     float projected_solid_angle;
-    float frame_0_x;
-    float frame_0_y;
-    float frame_0_z;
-    float frame_1_x;
-    float frame_1_y;
-    float frame_1_z;
-    float frame_2_x;
-    float frame_2_y;
-    float frame_2_z;
-    float normal_x;
-    float normal_y;
-    float normal_z;
+    float3 frame_0;
+    float3 frame_1;
+    float3 frame_2;
+    float3 normal;
     float distance;
     float radius_sin;
     float inv_radius_sin;
@@ -759,18 +735,10 @@ static __device__ inline spherecap_front_light spherecap_front_prepare(float3 no
     light.is_sampled = t133;
     light.solid_angle = t133 ? solid_angle : 0.0f;
     light.projected_solid_angle = t133 ? projected_above : 0.0f;
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = fmaf(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = fmaf(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = fmaf(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal_x;
-    light.normal_y = normal_y;
-    light.normal_z = normal_z;
+    light.frame_0 = make_float3(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = make_float3(fmaf(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fmaf(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fmaf(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = make_float3(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = make_float3(normal_x, normal_y, normal_z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -933,16 +901,16 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
     const float q = sqrtf(t76);
     const float towards_centre = sqrtf(fmaf(light.radius_cos, light.radius_cos, t76));
     const float distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    const float t77 = fmaf(light.frame_0_x, towards_centre, fmaf(light.frame_1_x, zenith, light.frame_2_x * side));
-    const float t78 = fmaf(light.frame_0_y, towards_centre, fmaf(light.frame_1_y, zenith, light.frame_2_y * side));
-    const float t79 = fmaf(light.frame_0_z, towards_centre, fmaf(light.frame_1_z, zenith, light.frame_2_z * side));
+    const float t77 = fmaf(light.frame_0.x, towards_centre, fmaf(light.frame_1.x, zenith, light.frame_2.x * side));
+    const float t78 = fmaf(light.frame_0.y, towards_centre, fmaf(light.frame_1.y, zenith, light.frame_2.y * side));
+    const float t79 = fmaf(light.frame_0.z, towards_centre, fmaf(light.frame_1.z, zenith, light.frame_2.z * side));
     const float t80 = distance * light.inv_radius_sin;
     const float t81 = -fmaf(towards_centre, q, sin2) * light.inv_radius_sin;
     const float t82 = t80 * zenith;
     const float t83 = t80 * side;
-    const float t84 = fmaf(light.frame_0_x, t81, fmaf(light.frame_1_x, t82, light.frame_2_x * t83));
-    const float t85 = fmaf(light.frame_0_y, t81, fmaf(light.frame_1_y, t82, light.frame_2_y * t83));
-    const float t86 = fmaf(light.frame_0_z, t81, fmaf(light.frame_1_z, t82, light.frame_2_z * t83));
+    const float t84 = fmaf(light.frame_0.x, t81, fmaf(light.frame_1.x, t82, light.frame_2.x * t83));
+    const float t85 = fmaf(light.frame_0.y, t81, fmaf(light.frame_1.y, t82, light.frame_2.y * t83));
+    const float t86 = fmaf(light.frame_0.z, t81, fmaf(light.frame_1.z, t82, light.frame_2.z * t83));
     spherecap_sample sampled;
     sampled.direction = make_float3(t77, t78, t79);
     sampled.distance = distance * light.distance;
@@ -962,10 +930,10 @@ static __device__ inline float spherecap_front_pdf_direction(spherecap_front_lig
     if (!light.is_sampled) {
         return 0.0f;
     }
-    const float t1 = fmaf(light.frame_0_x, direction.x, fmaf(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    const float t2 = fmaf(light.frame_1_x, direction.x, fmaf(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    const float t3 = fmaf(light.frame_2_x, direction.x, fmaf(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    const float t4 = fmaf(light.normal_x, direction.x, fmaf(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = fmaf(light.frame_0.x, direction.x, fmaf(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    const float t2 = fmaf(light.frame_1.x, direction.x, fmaf(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    const float t3 = fmaf(light.frame_2.x, direction.x, fmaf(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    const float t4 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const bool t5 = t1 < 0.0f;
     const float t6 = t5 ? 1.0f : t2;
     const float t7 = t5 ? 1.0f : t3;
@@ -982,7 +950,7 @@ static __device__ inline float spherecap_front_pdf_on_sphere(spherecap_front_lig
     if (!light.is_sampled) {
         return 0.0f;
     }
-    const float t1 = fmaf(light.normal_x, direction.x, fmaf(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = spherecap_min(fabsf(t1), 3.4028235e38f);
     const float t3 = 0.0f < t1 ? light.inv_above : 0.0f;
     const float t4 = fmaf(t3, (1.0f - light.defensive) * t2, light.defensive * light.inv_solid_angle);
@@ -1041,18 +1009,10 @@ struct spherecap_both_light {
     bool is_sampled;
     float solid_angle;
     float projected_solid_angle;
-    float frame_0_x;
-    float frame_0_y;
-    float frame_0_z;
-    float frame_1_x;
-    float frame_1_y;
-    float frame_1_z;
-    float frame_2_x;
-    float frame_2_y;
-    float frame_2_z;
-    float normal_x;
-    float normal_y;
-    float normal_z;
+    float3 frame_0;
+    float3 frame_1;
+    float3 frame_2;
+    float3 normal;
     float distance;
     float radius_sin;
     float inv_radius_sin;
@@ -1315,18 +1275,10 @@ static __device__ inline spherecap_both_light spherecap_both_prepare(float3 norm
     light.is_sampled = t155;
     light.solid_angle = t155 ? solid_angle : 0.0f;
     light.projected_solid_angle = t155 ? projected_above : 0.0f;
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = fmaf(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = fmaf(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = fmaf(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal_x;
-    light.normal_y = normal_y;
-    light.normal_z = normal_z;
+    light.frame_0 = make_float3(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = make_float3(fmaf(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fmaf(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fmaf(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = make_float3(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = make_float3(normal_x, normal_y, normal_z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -1500,16 +1452,16 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
     const float q = sqrtf(t85);
     const float towards_centre = sqrtf(fmaf(light.radius_cos, light.radius_cos, t85));
     const float distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    const float t86 = fmaf(light.frame_0_x, towards_centre, fmaf(light.frame_1_x, zenith, light.frame_2_x * side));
-    const float t87 = fmaf(light.frame_0_y, towards_centre, fmaf(light.frame_1_y, zenith, light.frame_2_y * side));
-    const float t88 = fmaf(light.frame_0_z, towards_centre, fmaf(light.frame_1_z, zenith, light.frame_2_z * side));
+    const float t86 = fmaf(light.frame_0.x, towards_centre, fmaf(light.frame_1.x, zenith, light.frame_2.x * side));
+    const float t87 = fmaf(light.frame_0.y, towards_centre, fmaf(light.frame_1.y, zenith, light.frame_2.y * side));
+    const float t88 = fmaf(light.frame_0.z, towards_centre, fmaf(light.frame_1.z, zenith, light.frame_2.z * side));
     const float t89 = distance * light.inv_radius_sin;
     const float t90 = -fmaf(towards_centre, q, sin2) * light.inv_radius_sin;
     const float t91 = t89 * zenith;
     const float t92 = t89 * side;
-    const float t93 = fmaf(light.frame_0_x, t90, fmaf(light.frame_1_x, t91, light.frame_2_x * t92));
-    const float t94 = fmaf(light.frame_0_y, t90, fmaf(light.frame_1_y, t91, light.frame_2_y * t92));
-    const float t95 = fmaf(light.frame_0_z, t90, fmaf(light.frame_1_z, t91, light.frame_2_z * t92));
+    const float t93 = fmaf(light.frame_0.x, t90, fmaf(light.frame_1.x, t91, light.frame_2.x * t92));
+    const float t94 = fmaf(light.frame_0.y, t90, fmaf(light.frame_1.y, t91, light.frame_2.y * t92));
+    const float t95 = fmaf(light.frame_0.z, t90, fmaf(light.frame_1.z, t91, light.frame_2.z * t92));
     spherecap_sample sampled;
     sampled.direction = make_float3(t86, t87, t88);
     sampled.distance = distance * light.distance;
@@ -1529,10 +1481,10 @@ static __device__ inline float spherecap_both_pdf_direction(spherecap_both_light
     if (!light.is_sampled) {
         return 0.0f;
     }
-    const float t1 = fmaf(light.frame_0_x, direction.x, fmaf(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    const float t2 = fmaf(light.frame_1_x, direction.x, fmaf(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    const float t3 = fmaf(light.frame_2_x, direction.x, fmaf(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    const float t4 = fmaf(light.normal_x, direction.x, fmaf(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = fmaf(light.frame_0.x, direction.x, fmaf(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    const float t2 = fmaf(light.frame_1.x, direction.x, fmaf(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    const float t3 = fmaf(light.frame_2.x, direction.x, fmaf(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    const float t4 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const bool t5 = t1 < 0.0f;
     const float t6 = t5 ? 1.0f : t2;
     const float t7 = t5 ? 1.0f : t3;
@@ -1549,7 +1501,7 @@ static __device__ inline float spherecap_both_pdf_on_sphere(spherecap_both_light
     if (!light.is_sampled) {
         return 0.0f;
     }
-    const float t1 = fmaf(light.normal_x, direction.x, fmaf(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = spherecap_min(fabsf(t1), 3.4028235e38f);
     const float t3 = 0.0f < t1 ? light.inv_above * light.share_above : t1 < 0.0f ? light.inv_below * (1.0f - light.share_above) : 0.0f;
     const float t4 = fmaf(t3, (1.0f - light.defensive) * t2, light.defensive * light.inv_solid_angle);

@@ -97,18 +97,10 @@ struct spherecap_surface_light {
     bool is_sampled;
     float solid_angle;
     float projected_solid_angle;
-    float frame_0_x;
-    float frame_0_y;
-    float frame_0_z;
-    float frame_1_x;
-    float frame_1_y;
-    float frame_1_z;
-    float frame_2_x;
-    float frame_2_y;
-    float frame_2_z;
-    float normal_x;
-    float normal_y;
-    float normal_z;
+    float3 frame_0;
+    float3 frame_1;
+    float3 frame_2;
+    float3 normal;
     float distance;
     float radius_sin;
     float inv_radius_sin;
@@ -325,18 +317,10 @@ spherecap_surface_light spherecap_surface_prepare(float3 normal, float3 centre, 
     light.is_sampled = t131;
     light.solid_angle = t131 ? (t98 ? t96 * (t61 * t5) * 6.2831855 : 0.0) : 0.0;
     light.projected_solid_angle = t131 ? projected_above : 0.0;
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = mad(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = mad(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = mad(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal.x;
-    light.normal_y = normal.y;
-    light.normal_z = normal.z;
+    light.frame_0 = float3(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = float3(mad(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), mad(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), mad(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = float3(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = float3(normal.x, normal.y, normal.z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -463,16 +447,16 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
     const float q = sqrt(t59);
     const float towards_centre = sqrt(mad(light.radius_cos, light.radius_cos, t59));
     const float distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    const float t60 = mad(light.frame_0_x, towards_centre, mad(light.frame_1_x, zenith, light.frame_2_x * side));
-    const float t61 = mad(light.frame_0_y, towards_centre, mad(light.frame_1_y, zenith, light.frame_2_y * side));
-    const float t62 = mad(light.frame_0_z, towards_centre, mad(light.frame_1_z, zenith, light.frame_2_z * side));
+    const float t60 = mad(light.frame_0.x, towards_centre, mad(light.frame_1.x, zenith, light.frame_2.x * side));
+    const float t61 = mad(light.frame_0.y, towards_centre, mad(light.frame_1.y, zenith, light.frame_2.y * side));
+    const float t62 = mad(light.frame_0.z, towards_centre, mad(light.frame_1.z, zenith, light.frame_2.z * side));
     const float t63 = distance * light.inv_radius_sin;
     const float t64 = -mad(towards_centre, q, sin2) * light.inv_radius_sin;
     const float t65 = t63 * zenith;
     const float t66 = t63 * side;
-    const float t67 = mad(light.frame_0_x, t64, mad(light.frame_1_x, t65, light.frame_2_x * t66));
-    const float t68 = mad(light.frame_0_y, t64, mad(light.frame_1_y, t65, light.frame_2_y * t66));
-    const float t69 = mad(light.frame_0_z, t64, mad(light.frame_1_z, t65, light.frame_2_z * t66));
+    const float t67 = mad(light.frame_0.x, t64, mad(light.frame_1.x, t65, light.frame_2.x * t66));
+    const float t68 = mad(light.frame_0.y, t64, mad(light.frame_1.y, t65, light.frame_2.y * t66));
+    const float t69 = mad(light.frame_0.z, t64, mad(light.frame_1.z, t65, light.frame_2.z * t66));
     spherecap_sample sampled;
     sampled.direction = float3(t60, t61, t62);
     sampled.distance = distance * light.distance;
@@ -492,10 +476,10 @@ float spherecap_surface_pdf_direction(spherecap_surface_light light, float3 dire
     if (!light.is_sampled) {
         return 0.0;
     }
-    const float t1 = mad(light.frame_0_x, direction.x, mad(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    const float t2 = mad(light.frame_1_x, direction.x, mad(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    const float t3 = mad(light.frame_2_x, direction.x, mad(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    const float t4 = mad(light.normal_x, direction.x, mad(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = mad(light.frame_0.x, direction.x, mad(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    const float t2 = mad(light.frame_1.x, direction.x, mad(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    const float t3 = mad(light.frame_2.x, direction.x, mad(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    const float t4 = mad(light.normal.x, direction.x, mad(light.normal.y, direction.y, light.normal.z * direction.z));
     const bool t5 = t1 < 0.0;
     const float t6 = t5 ? 1.0 : t2;
     const float t7 = t5 ? 1.0 : t3;
@@ -509,7 +493,7 @@ float spherecap_surface_pdf_on_sphere(spherecap_surface_light light, float3 dire
     if (!light.is_sampled) {
         return 0.0;
     }
-    const float t1 = mad(light.normal_x, direction.x, mad(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = mad(light.normal.x, direction.x, mad(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = (0.0 < t1 ? light.inv_above : 0.0) * spherecap_min(abs(t1), 3.4028235e38);
     const float t3 = mad(direction.x, direction.x, mad(direction.y, direction.y, direction.z * direction.z));
     return (0.998001 <= t3 && t3 <= 1.002001) ? t2 : 0.0;
@@ -544,18 +528,10 @@ struct spherecap_front_light {
     bool is_sampled;
     float solid_angle;
     float projected_solid_angle;
-    float frame_0_x;
-    float frame_0_y;
-    float frame_0_z;
-    float frame_1_x;
-    float frame_1_y;
-    float frame_1_z;
-    float frame_2_x;
-    float frame_2_y;
-    float frame_2_z;
-    float normal_x;
-    float normal_y;
-    float normal_z;
+    float3 frame_0;
+    float3 frame_1;
+    float3 frame_2;
+    float3 normal;
     float distance;
     float radius_sin;
     float inv_radius_sin;
@@ -800,18 +776,10 @@ spherecap_front_light spherecap_front_prepare(float3 normal, float3 centre, floa
     light.is_sampled = t143;
     light.solid_angle = t143 ? solid_angle : 0.0;
     light.projected_solid_angle = t143 ? projected_above : 0.0;
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = mad(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = mad(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = mad(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal_x;
-    light.normal_y = normal_y;
-    light.normal_z = normal_z;
+    light.frame_0 = float3(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = float3(mad(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), mad(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), mad(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = float3(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = float3(normal_x, normal_y, normal_z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -974,16 +942,16 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
     const float q = sqrt(t76);
     const float towards_centre = sqrt(mad(light.radius_cos, light.radius_cos, t76));
     const float distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    const float t77 = mad(light.frame_0_x, towards_centre, mad(light.frame_1_x, zenith, light.frame_2_x * side));
-    const float t78 = mad(light.frame_0_y, towards_centre, mad(light.frame_1_y, zenith, light.frame_2_y * side));
-    const float t79 = mad(light.frame_0_z, towards_centre, mad(light.frame_1_z, zenith, light.frame_2_z * side));
+    const float t77 = mad(light.frame_0.x, towards_centre, mad(light.frame_1.x, zenith, light.frame_2.x * side));
+    const float t78 = mad(light.frame_0.y, towards_centre, mad(light.frame_1.y, zenith, light.frame_2.y * side));
+    const float t79 = mad(light.frame_0.z, towards_centre, mad(light.frame_1.z, zenith, light.frame_2.z * side));
     const float t80 = distance * light.inv_radius_sin;
     const float t81 = -mad(towards_centre, q, sin2) * light.inv_radius_sin;
     const float t82 = t80 * zenith;
     const float t83 = t80 * side;
-    const float t84 = mad(light.frame_0_x, t81, mad(light.frame_1_x, t82, light.frame_2_x * t83));
-    const float t85 = mad(light.frame_0_y, t81, mad(light.frame_1_y, t82, light.frame_2_y * t83));
-    const float t86 = mad(light.frame_0_z, t81, mad(light.frame_1_z, t82, light.frame_2_z * t83));
+    const float t84 = mad(light.frame_0.x, t81, mad(light.frame_1.x, t82, light.frame_2.x * t83));
+    const float t85 = mad(light.frame_0.y, t81, mad(light.frame_1.y, t82, light.frame_2.y * t83));
+    const float t86 = mad(light.frame_0.z, t81, mad(light.frame_1.z, t82, light.frame_2.z * t83));
     spherecap_sample sampled;
     sampled.direction = float3(t77, t78, t79);
     sampled.distance = distance * light.distance;
@@ -1003,10 +971,10 @@ float spherecap_front_pdf_direction(spherecap_front_light light, float3 directio
     if (!light.is_sampled) {
         return 0.0;
     }
-    const float t1 = mad(light.frame_0_x, direction.x, mad(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    const float t2 = mad(light.frame_1_x, direction.x, mad(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    const float t3 = mad(light.frame_2_x, direction.x, mad(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    const float t4 = mad(light.normal_x, direction.x, mad(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = mad(light.frame_0.x, direction.x, mad(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    const float t2 = mad(light.frame_1.x, direction.x, mad(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    const float t3 = mad(light.frame_2.x, direction.x, mad(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    const float t4 = mad(light.normal.x, direction.x, mad(light.normal.y, direction.y, light.normal.z * direction.z));
     const bool t5 = t1 < 0.0;
     const float t6 = t5 ? 1.0 : t2;
     const float t7 = t5 ? 1.0 : t3;
@@ -1022,7 +990,7 @@ float spherecap_front_pdf_on_sphere(spherecap_front_light light, float3 directio
     if (!light.is_sampled) {
         return 0.0;
     }
-    const float t1 = mad(light.normal_x, direction.x, mad(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = mad(light.normal.x, direction.x, mad(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = spherecap_min(abs(t1), 3.4028235e38);
     const float t3 = 0.0 < t1 ? light.inv_above : 0.0;
     const float t4 = mad(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
@@ -1081,18 +1049,10 @@ struct spherecap_both_light {
     bool is_sampled;
     float solid_angle;
     float projected_solid_angle;
-    float frame_0_x;
-    float frame_0_y;
-    float frame_0_z;
-    float frame_1_x;
-    float frame_1_y;
-    float frame_1_z;
-    float frame_2_x;
-    float frame_2_y;
-    float frame_2_z;
-    float normal_x;
-    float normal_y;
-    float normal_z;
+    float3 frame_0;
+    float3 frame_1;
+    float3 frame_2;
+    float3 normal;
     float distance;
     float radius_sin;
     float inv_radius_sin;
@@ -1365,18 +1325,10 @@ spherecap_both_light spherecap_both_prepare(float3 normal, float3 centre, float 
     light.is_sampled = t165;
     light.solid_angle = t165 ? solid_angle : 0.0;
     light.projected_solid_angle = t165 ? projected_above : 0.0;
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = mad(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = mad(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = mad(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal_x;
-    light.normal_y = normal_y;
-    light.normal_z = normal_z;
+    light.frame_0 = float3(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = float3(mad(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), mad(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), mad(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = float3(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = float3(normal_x, normal_y, normal_z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -1549,16 +1501,16 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     const float q = sqrt(t84);
     const float towards_centre = sqrt(mad(light.radius_cos, light.radius_cos, t84));
     const float distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    const float t85 = mad(light.frame_0_x, towards_centre, mad(light.frame_1_x, zenith, light.frame_2_x * side));
-    const float t86 = mad(light.frame_0_y, towards_centre, mad(light.frame_1_y, zenith, light.frame_2_y * side));
-    const float t87 = mad(light.frame_0_z, towards_centre, mad(light.frame_1_z, zenith, light.frame_2_z * side));
+    const float t85 = mad(light.frame_0.x, towards_centre, mad(light.frame_1.x, zenith, light.frame_2.x * side));
+    const float t86 = mad(light.frame_0.y, towards_centre, mad(light.frame_1.y, zenith, light.frame_2.y * side));
+    const float t87 = mad(light.frame_0.z, towards_centre, mad(light.frame_1.z, zenith, light.frame_2.z * side));
     const float t88 = distance * light.inv_radius_sin;
     const float t89 = -mad(towards_centre, q, sin2) * light.inv_radius_sin;
     const float t90 = t88 * zenith;
     const float t91 = t88 * side;
-    const float t92 = mad(light.frame_0_x, t89, mad(light.frame_1_x, t90, light.frame_2_x * t91));
-    const float t93 = mad(light.frame_0_y, t89, mad(light.frame_1_y, t90, light.frame_2_y * t91));
-    const float t94 = mad(light.frame_0_z, t89, mad(light.frame_1_z, t90, light.frame_2_z * t91));
+    const float t92 = mad(light.frame_0.x, t89, mad(light.frame_1.x, t90, light.frame_2.x * t91));
+    const float t93 = mad(light.frame_0.y, t89, mad(light.frame_1.y, t90, light.frame_2.y * t91));
+    const float t94 = mad(light.frame_0.z, t89, mad(light.frame_1.z, t90, light.frame_2.z * t91));
     spherecap_sample sampled;
     sampled.direction = float3(t85, t86, t87);
     sampled.distance = distance * light.distance;
@@ -1578,10 +1530,10 @@ float spherecap_both_pdf_direction(spherecap_both_light light, float3 direction)
     if (!light.is_sampled) {
         return 0.0;
     }
-    const float t1 = mad(light.frame_0_x, direction.x, mad(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    const float t2 = mad(light.frame_1_x, direction.x, mad(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    const float t3 = mad(light.frame_2_x, direction.x, mad(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    const float t4 = mad(light.normal_x, direction.x, mad(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = mad(light.frame_0.x, direction.x, mad(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    const float t2 = mad(light.frame_1.x, direction.x, mad(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    const float t3 = mad(light.frame_2.x, direction.x, mad(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    const float t4 = mad(light.normal.x, direction.x, mad(light.normal.y, direction.y, light.normal.z * direction.z));
     const bool t5 = t1 < 0.0;
     const float t6 = t5 ? 1.0 : t2;
     const float t7 = t5 ? 1.0 : t3;
@@ -1597,7 +1549,7 @@ float spherecap_both_pdf_on_sphere(spherecap_both_light light, float3 direction)
     if (!light.is_sampled) {
         return 0.0;
     }
-    const float t1 = mad(light.normal_x, direction.x, mad(light.normal_y, direction.y, light.normal_z * direction.z));
+    const float t1 = mad(light.normal.x, direction.x, mad(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = spherecap_min(abs(t1), 3.4028235e38);
     const float t3 = 0.0 < t1 ? light.inv_above * light.share_above : t1 < 0.0 ? light.inv_below * (1.0 - light.share_above) : 0.0;
     const float t4 = mad(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);

@@ -91,18 +91,10 @@ struct spherecap_surface_light {
     is_sampled: bool,
     solid_angle: f32,
     projected_solid_angle: f32,
-    frame_0_x: f32,
-    frame_0_y: f32,
-    frame_0_z: f32,
-    frame_1_x: f32,
-    frame_1_y: f32,
-    frame_1_z: f32,
-    frame_2_x: f32,
-    frame_2_y: f32,
-    frame_2_z: f32,
-    normal_x: f32,
-    normal_y: f32,
-    normal_z: f32,
+    frame_0: vec3f,
+    frame_1: vec3f,
+    frame_2: vec3f,
+    normal: vec3f,
     distance: f32,
     radius_sin: f32,
     inv_radius_sin: f32,
@@ -314,18 +306,10 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
     light.is_sampled = t125;
     light.solid_angle = select(0.0, select(0.0, t90 * (t55 * t5) * 6.2831855, t92), t125);
     light.projected_solid_angle = select(0.0, projected_above, t125);
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal.x;
-    light.normal_y = normal.y;
-    light.normal_z = normal.z;
+    light.frame_0 = vec3f(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = vec3f(fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = vec3f(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = vec3f(normal.x, normal.y, normal.z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -453,16 +437,16 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     let q = sqrt(t60);
     let towards_centre = sqrt(fma(light.radius_cos, light.radius_cos, t60));
     let distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    let t61 = fma(light.frame_0_x, towards_centre, fma(light.frame_1_x, zenith, light.frame_2_x * side));
-    let t62 = fma(light.frame_0_y, towards_centre, fma(light.frame_1_y, zenith, light.frame_2_y * side));
-    let t63 = fma(light.frame_0_z, towards_centre, fma(light.frame_1_z, zenith, light.frame_2_z * side));
+    let t61 = fma(light.frame_0.x, towards_centre, fma(light.frame_1.x, zenith, light.frame_2.x * side));
+    let t62 = fma(light.frame_0.y, towards_centre, fma(light.frame_1.y, zenith, light.frame_2.y * side));
+    let t63 = fma(light.frame_0.z, towards_centre, fma(light.frame_1.z, zenith, light.frame_2.z * side));
     let t64 = distance * light.inv_radius_sin;
     let t65 = -fma(towards_centre, q, sin2) * light.inv_radius_sin;
     let t66 = t64 * zenith;
     let t67 = t64 * side;
-    let t68 = fma(light.frame_0_x, t65, fma(light.frame_1_x, t66, light.frame_2_x * t67));
-    let t69 = fma(light.frame_0_y, t65, fma(light.frame_1_y, t66, light.frame_2_y * t67));
-    let t70 = fma(light.frame_0_z, t65, fma(light.frame_1_z, t66, light.frame_2_z * t67));
+    let t68 = fma(light.frame_0.x, t65, fma(light.frame_1.x, t66, light.frame_2.x * t67));
+    let t69 = fma(light.frame_0.y, t65, fma(light.frame_1.y, t66, light.frame_2.y * t67));
+    let t70 = fma(light.frame_0.z, t65, fma(light.frame_1.z, t66, light.frame_2.z * t67));
     var sampled: spherecap_sample;
     sampled.direction = vec3f(t61, t62, t63);
     sampled.distance = distance * light.distance;
@@ -481,10 +465,10 @@ fn spherecap_surface_pdf_direction(light: spherecap_surface_light, direction: ve
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.frame_0_x, direction.x, fma(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    let t2 = fma(light.frame_1_x, direction.x, fma(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    let t3 = fma(light.frame_2_x, direction.x, fma(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    let t4 = fma(light.normal_x, direction.x, fma(light.normal_y, direction.y, light.normal_z * direction.z));
+    let t1 = fma(light.frame_0.x, direction.x, fma(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    let t2 = fma(light.frame_1.x, direction.x, fma(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    let t3 = fma(light.frame_2.x, direction.x, fma(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    let t4 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
     let t5 = t1 < 0.0;
     let t6 = select(t2, 1.0, t5);
     let t7 = select(t3, 1.0, t5);
@@ -498,7 +482,7 @@ fn spherecap_surface_pdf_on_sphere(light: spherecap_surface_light, direction: ve
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.normal_x, direction.x, fma(light.normal_y, direction.y, light.normal_z * direction.z));
+    let t1 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
     let t2 = select(0.0, light.inv_above, 0.0 < t1) * spherecap_min(abs(t1), 3.4028235e38);
     let t3 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
     return select(0.0, t2, 0.998001 <= t3 && t3 <= 1.002001);
@@ -534,18 +518,10 @@ struct spherecap_front_light {
     is_sampled: bool,
     solid_angle: f32,
     projected_solid_angle: f32,
-    frame_0_x: f32,
-    frame_0_y: f32,
-    frame_0_z: f32,
-    frame_1_x: f32,
-    frame_1_y: f32,
-    frame_1_z: f32,
-    frame_2_x: f32,
-    frame_2_y: f32,
-    frame_2_z: f32,
-    normal_x: f32,
-    normal_y: f32,
-    normal_z: f32,
+    frame_0: vec3f,
+    frame_1: vec3f,
+    frame_2: vec3f,
+    normal: vec3f,
     distance: f32,
     radius_sin: f32,
     inv_radius_sin: f32,
@@ -785,18 +761,10 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     light.is_sampled = t137;
     light.solid_angle = select(0.0, solid_angle, t137);
     light.projected_solid_angle = select(0.0, projected_above, t137);
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal_x;
-    light.normal_y = normal_y;
-    light.normal_z = normal_z;
+    light.frame_0 = vec3f(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = vec3f(fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = vec3f(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = vec3f(normal_x, normal_y, normal_z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -960,16 +928,16 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     let q = sqrt(t77);
     let towards_centre = sqrt(fma(light.radius_cos, light.radius_cos, t77));
     let distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    let t78 = fma(light.frame_0_x, towards_centre, fma(light.frame_1_x, zenith, light.frame_2_x * side));
-    let t79 = fma(light.frame_0_y, towards_centre, fma(light.frame_1_y, zenith, light.frame_2_y * side));
-    let t80 = fma(light.frame_0_z, towards_centre, fma(light.frame_1_z, zenith, light.frame_2_z * side));
+    let t78 = fma(light.frame_0.x, towards_centre, fma(light.frame_1.x, zenith, light.frame_2.x * side));
+    let t79 = fma(light.frame_0.y, towards_centre, fma(light.frame_1.y, zenith, light.frame_2.y * side));
+    let t80 = fma(light.frame_0.z, towards_centre, fma(light.frame_1.z, zenith, light.frame_2.z * side));
     let t81 = distance * light.inv_radius_sin;
     let t82 = -fma(towards_centre, q, sin2) * light.inv_radius_sin;
     let t83 = t81 * zenith;
     let t84 = t81 * side;
-    let t85 = fma(light.frame_0_x, t82, fma(light.frame_1_x, t83, light.frame_2_x * t84));
-    let t86 = fma(light.frame_0_y, t82, fma(light.frame_1_y, t83, light.frame_2_y * t84));
-    let t87 = fma(light.frame_0_z, t82, fma(light.frame_1_z, t83, light.frame_2_z * t84));
+    let t85 = fma(light.frame_0.x, t82, fma(light.frame_1.x, t83, light.frame_2.x * t84));
+    let t86 = fma(light.frame_0.y, t82, fma(light.frame_1.y, t83, light.frame_2.y * t84));
+    let t87 = fma(light.frame_0.z, t82, fma(light.frame_1.z, t83, light.frame_2.z * t84));
     var sampled: spherecap_sample;
     sampled.direction = vec3f(t78, t79, t80);
     sampled.distance = distance * light.distance;
@@ -988,10 +956,10 @@ fn spherecap_front_pdf_direction(light: spherecap_front_light, direction: vec3f)
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.frame_0_x, direction.x, fma(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    let t2 = fma(light.frame_1_x, direction.x, fma(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    let t3 = fma(light.frame_2_x, direction.x, fma(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    let t4 = fma(light.normal_x, direction.x, fma(light.normal_y, direction.y, light.normal_z * direction.z));
+    let t1 = fma(light.frame_0.x, direction.x, fma(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    let t2 = fma(light.frame_1.x, direction.x, fma(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    let t3 = fma(light.frame_2.x, direction.x, fma(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    let t4 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
     let t5 = t1 < 0.0;
     let t6 = select(t2, 1.0, t5);
     let t7 = select(t3, 1.0, t5);
@@ -1007,7 +975,7 @@ fn spherecap_front_pdf_on_sphere(light: spherecap_front_light, direction: vec3f)
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.normal_x, direction.x, fma(light.normal_y, direction.y, light.normal_z * direction.z));
+    let t1 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
     let t2 = spherecap_min(abs(t1), 3.4028235e38);
     let t3 = select(0.0, light.inv_above, 0.0 < t1);
     let t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
@@ -1066,18 +1034,10 @@ struct spherecap_both_light {
     is_sampled: bool,
     solid_angle: f32,
     projected_solid_angle: f32,
-    frame_0_x: f32,
-    frame_0_y: f32,
-    frame_0_z: f32,
-    frame_1_x: f32,
-    frame_1_y: f32,
-    frame_1_z: f32,
-    frame_2_x: f32,
-    frame_2_y: f32,
-    frame_2_z: f32,
-    normal_x: f32,
-    normal_y: f32,
-    normal_z: f32,
+    frame_0: vec3f,
+    frame_1: vec3f,
+    frame_2: vec3f,
+    normal: vec3f,
     distance: f32,
     radius_sin: f32,
     inv_radius_sin: f32,
@@ -1345,18 +1305,10 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     light.is_sampled = t159;
     light.solid_angle = select(0.0, solid_angle, t159);
     light.projected_solid_angle = select(0.0, projected_above, t159);
-    light.frame_0_x = frame_0_x;
-    light.frame_0_y = frame_0_y;
-    light.frame_0_z = frame_0_z;
-    light.frame_1_x = fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y));
-    light.frame_1_y = fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z));
-    light.frame_1_z = fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x));
-    light.frame_2_x = frame_2_x;
-    light.frame_2_y = frame_2_y;
-    light.frame_2_z = frame_2_z;
-    light.normal_x = normal_x;
-    light.normal_y = normal_y;
-    light.normal_z = normal_z;
+    light.frame_0 = vec3f(frame_0_x, frame_0_y, frame_0_z);
+    light.frame_1 = vec3f(fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
+    light.frame_2 = vec3f(frame_2_x, frame_2_y, frame_2_z);
+    light.normal = vec3f(normal_x, normal_y, normal_z);
     light.distance = distance;
     light.radius_sin = radius_sin;
     light.inv_radius_sin = inv_radius_sin;
@@ -1530,16 +1482,16 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     let q = sqrt(t85);
     let towards_centre = sqrt(fma(light.radius_cos, light.radius_cos, t85));
     let distance = light.radius_cos * light.radius_cos / (towards_centre + q);
-    let t86 = fma(light.frame_0_x, towards_centre, fma(light.frame_1_x, zenith, light.frame_2_x * side));
-    let t87 = fma(light.frame_0_y, towards_centre, fma(light.frame_1_y, zenith, light.frame_2_y * side));
-    let t88 = fma(light.frame_0_z, towards_centre, fma(light.frame_1_z, zenith, light.frame_2_z * side));
+    let t86 = fma(light.frame_0.x, towards_centre, fma(light.frame_1.x, zenith, light.frame_2.x * side));
+    let t87 = fma(light.frame_0.y, towards_centre, fma(light.frame_1.y, zenith, light.frame_2.y * side));
+    let t88 = fma(light.frame_0.z, towards_centre, fma(light.frame_1.z, zenith, light.frame_2.z * side));
     let t89 = distance * light.inv_radius_sin;
     let t90 = -fma(towards_centre, q, sin2) * light.inv_radius_sin;
     let t91 = t89 * zenith;
     let t92 = t89 * side;
-    let t93 = fma(light.frame_0_x, t90, fma(light.frame_1_x, t91, light.frame_2_x * t92));
-    let t94 = fma(light.frame_0_y, t90, fma(light.frame_1_y, t91, light.frame_2_y * t92));
-    let t95 = fma(light.frame_0_z, t90, fma(light.frame_1_z, t91, light.frame_2_z * t92));
+    let t93 = fma(light.frame_0.x, t90, fma(light.frame_1.x, t91, light.frame_2.x * t92));
+    let t94 = fma(light.frame_0.y, t90, fma(light.frame_1.y, t91, light.frame_2.y * t92));
+    let t95 = fma(light.frame_0.z, t90, fma(light.frame_1.z, t91, light.frame_2.z * t92));
     var sampled: spherecap_sample;
     sampled.direction = vec3f(t86, t87, t88);
     sampled.distance = distance * light.distance;
@@ -1558,10 +1510,10 @@ fn spherecap_both_pdf_direction(light: spherecap_both_light, direction: vec3f) -
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.frame_0_x, direction.x, fma(light.frame_0_y, direction.y, light.frame_0_z * direction.z));
-    let t2 = fma(light.frame_1_x, direction.x, fma(light.frame_1_y, direction.y, light.frame_1_z * direction.z));
-    let t3 = fma(light.frame_2_x, direction.x, fma(light.frame_2_y, direction.y, light.frame_2_z * direction.z));
-    let t4 = fma(light.normal_x, direction.x, fma(light.normal_y, direction.y, light.normal_z * direction.z));
+    let t1 = fma(light.frame_0.x, direction.x, fma(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
+    let t2 = fma(light.frame_1.x, direction.x, fma(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
+    let t3 = fma(light.frame_2.x, direction.x, fma(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
+    let t4 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
     let t5 = t1 < 0.0;
     let t6 = select(t2, 1.0, t5);
     let t7 = select(t3, 1.0, t5);
@@ -1577,7 +1529,7 @@ fn spherecap_both_pdf_on_sphere(light: spherecap_both_light, direction: vec3f) -
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.normal_x, direction.x, fma(light.normal_y, direction.y, light.normal_z * direction.z));
+    let t1 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
     let t2 = spherecap_min(abs(t1), 3.4028235e38);
     let t3 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t1 < 0.0), light.inv_above * light.share_above, 0.0 < t1);
     let t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);

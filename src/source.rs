@@ -422,7 +422,10 @@ impl Language {
         inputs.extend(["radius", "defensive", "u0", "u1"].map(String::from));
         inputs.extend(vector("direction"));
         inputs.push("strength".to_owned());
-        inputs.extend(fields.iter().map(|(name, _)| self.field("light", name)));
+        inputs.extend(fields.iter().map(|(name, _)| match vector_of(name) {
+            Some((vector, i)) => self.component(&self.field("light", vector), i),
+            None => self.field("light", name),
+        }));
         inputs
     }
 
@@ -444,7 +447,17 @@ impl Language {
         // The sampler.
         let mut fields = vec![("is_sampled".to_owned(), Type::Truth)];
         fields.extend(MEASURES.map(|name| (name.to_owned(), Type::Number)));
-        fields.extend(functions.fields.iter().map(|(_, name)| (name.clone(), Type::Number)));
+        for (_, name) in &functions.fields {
+            match vector_of(name) {
+                None => fields.push((name.clone(), Type::Number)),
+                Some((vector, 0)) => fields.push((vector.to_owned(), Type::Vector)),
+                Some((vector, _)) => {
+                    let is_same =
+                        fields.last().is_some_and(|(name, of)| name == vector && *of == Type::Vector);
+                    assert!(is_same, "a sampler's vectors are read whole: {name}");
+                }
+            }
+        }
         text += &self.structure(sampler, &fields);
         text.push('\n');
         let Function { graph, outputs, .. } = &functions.prepare;
@@ -455,10 +468,11 @@ impl Language {
         }
         printer.run();
         printer.line(&self.result("light", sampler));
-        for (output, (name, _)) in outputs.iter().zip(&fields) {
-            let value = printer.whole(*output);
-            printer.line(&format!("light.{name} = {value};"));
+        let mut outputs = outputs.iter();
+        for (name, of) in &fields {
+            self.assign(&mut printer, &format!("light.{name}"), *of, &mut outputs);
         }
+        assert!(outputs.next().is_none(), "a sampler's vectors are read whole");
         printer.line("return light;");
         text += &self.definition(&format!("{name}_prepare"), &seen, Type::Struct(sampler), &printer.lines);
 
@@ -473,13 +487,7 @@ impl Language {
         printer.line(&self.result("sampled", "sample"));
         let mut outputs = sample.outputs.iter();
         for (name, of, _) in SAMPLE {
-            let place = format!("sampled.{name}");
-            let mut next = || printer.whole(*outputs.next().expect("there are as many"));
-            let lines = match of {
-                Type::Vector => self.store(&place, [next(), next(), next()]),
-                _ => vec![format!("{place} = {};", next())],
-            };
-            lines.iter().for_each(|line| printer.line(line));
+            self.assign(&mut printer, &format!("sampled.{name}"), of, &mut outputs);
         }
         printer.line("return sampled;");
         let parameters = [&prepared[..], &random].concat();
@@ -529,9 +537,34 @@ impl Language {
         text
     }
 
+    /// Assigns the next outputs to a number or a vector.
+    fn assign<'v>(
+        &self,
+        printer: &mut Printer,
+        place: &str,
+        of: Type,
+        outputs: &mut impl Iterator<Item = &'v Value>,
+    ) {
+        let mut next = || printer.whole(*outputs.next().expect("there are as many"));
+        let lines = match of {
+            Type::Vector => self.store(place, [next(), next(), next()]),
+            _ => vec![format!("{place} = {};", next())],
+        };
+        lines.iter().for_each(|line| printer.line(line));
+    }
+
     fn definition(&self, name: &str, parameters: &[(&str, Type)], result: Type, body: &str) -> String {
         format!("{}\n{body}}}\n\n", self.signature(name, parameters, result))
     }
+}
+
+/// The vector that a number of this name is part of, and which component it is.
+fn vector_of(name: &str) -> Option<(&str, usize)> {
+    ["_x", "_y", "_z"].iter().enumerate().find_map(|(i, end)| {
+        let vector = name.strip_suffix(end)?;
+        // `t_x` and `t_y` are numbers.
+        (vector.len() > 1).then_some((vector, i))
+    })
 }
 
 /// A text as comment lines.

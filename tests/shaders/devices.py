@@ -35,8 +35,11 @@ class Vulkan:
         self.vk = vk
         # Kept: structures hold addresses, and not what they point to.
         self.kept = [vk.VkApplicationInfo(apiVersion=vk.VK_MAKE_VERSION(1, 1, 0))]
-        instance = vk.vkCreateInstance(vk.VkInstanceCreateInfo(pApplicationInfo=self.kept[0]), None)
-        devices = vk.vkEnumeratePhysicalDevices(instance)
+        try:
+            instance = vk.vkCreateInstance(vk.VkInstanceCreateInfo(pApplicationInfo=self.kept[0]), None)
+            devices = vk.vkEnumeratePhysicalDevices(instance)
+        except vk.VkErrorIncompatibleDriver:
+            devices = []
         if not devices:
             sys.exit(f"there is no Vulkan device, which test-shaders needs: {INSTALL}")
         self.physical = devices[0]
