@@ -502,8 +502,9 @@ impl Language {
         } else {
             let address = if self.is_c { "&" } else { "" };
             format!(
-                "    const {prefix}{sampler} light = {call};\n    return {prefix}{name}_sample({address}light, u0, u1);\n",
-                prefix = self.prefix
+                "    {constant}{prefix}{sampler} light = {call};\n    return {prefix}{name}_sample({address}light, u0, u1);\n",
+                prefix = self.prefix,
+                constant = if self.has_late_constants { "const " } else { "" }
             )
         };
         let parameters = [&seen[..], &random].concat();

@@ -37,6 +37,8 @@ pub(super) struct Language {
     pub function: &'static str,
     pub guard: Guard,
     pub has_question_mark: bool,
+    /// Whether constants may be computed when the program runs: in GLSL not before 4.20.
+    pub has_late_constants: bool,
     pub suffix: &'static str,
     pub vector: &'static str,
     pub fma: &'static str,
@@ -89,8 +91,10 @@ impl Language {
             format!("let {name} = {value};")
         } else if is_precise {
             format!("precise {of} {name} = {value};")
-        } else {
+        } else if self.has_late_constants {
             format!("const {of} {name} = {value};")
+        } else {
+            format!("{of} {name} = {value};")
         }
     }
 
@@ -174,7 +178,7 @@ impl Language {
         if self.is_wgsl {
             "let unknown_zero = bitcast<u32>(radius) & 0x80000000u;"
         } else {
-            "const uint unknown_zero = asuint(radius) & 0x80000000u;"
+            "uint unknown_zero = asuint(radius) & 0x80000000u;"
         }
     }
 
@@ -197,6 +201,7 @@ const C: Language = Language {
     function: "static inline ",
     guard: Guard::None,
     has_question_mark: true,
+    has_late_constants: true,
     suffix: "f",
     vector: "",
     fma: "fmaf",
@@ -213,6 +218,7 @@ const GLSL: Language = Language {
     prefix: "spherecap_",
     function: "",
     guard: Guard::Precise,
+    has_late_constants: false,
     suffix: "",
     vector: "vec3",
     fma: "fma",

@@ -144,8 +144,12 @@ def test_the_examples_give_the_picture_of_the_page(device, tmp_path):
 
 
 def test_the_function_of_the_page_compiles(tmp_path):
-    """The block of docs/source.md, pasted into a shader after the file."""
+    """The block of docs/source.md, pasted into a shader after the file; for Vulkan and for OpenGL 4.0."""
     page = (ROOT / "docs/source.md").read_text()
     block = page.split("```glsl\n")[1].split("```")[0]
-    file = (ROOT / "shaders/spherecap.glsl").read_text()
-    compiled(f"#version 450\n{file}\n{block}\nvoid main() {{}}\n", [], tmp_path, "page")
+    rest = f"{(ROOT / 'shaders/spherecap.glsl').read_text()}\n{block}\nvoid main() {{}}\n"
+    compiled(f"#version 450\n{rest}", [], tmp_path, "page")
+    text = tmp_path / "page.frag"
+    text.write_text(f"#version 400\n{rest}")
+    done = subprocess.run(["glslangValidator", str(text)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
