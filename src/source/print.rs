@@ -28,6 +28,10 @@ pub(super) struct Printer<'a> {
     /// Parameters, by their places.
     inputs: &'a [String],
     uses: HashMap<Value, usize>,
+    /// What sums and differences read.
+    summands: HashSet<Value>,
+    /// Expressions that have to be part of a `precise` variable.
+    precise: HashSet<Value>,
     texts: HashMap<Value, (String, Binding)>,
     taken: HashSet<String>,
     count: usize,
@@ -50,7 +54,10 @@ impl<'a> Printer<'a> {
         let taken = inputs.iter().map(|input| input.split(['.', '[']).next().unwrap_or(input).to_owned());
         let taken = taken.chain(["radius", "normal", "centre"].map(String::from)).collect();
         let (texts, lines) = (HashMap::new(), String::new());
-        Self { language, graph, inputs, uses, texts, taken, count: 0, lines, indent: 1 }
+        let is_sum = |def: &&Def| matches!(def.kind, Kind::Op(Op::Add | Op::Sub));
+        let summands = graph.values.iter().filter(is_sum).flat_map(|def| &def.operands).copied().collect();
+        let precise = HashSet::new();
+        Self { language, graph, inputs, summands, precise, uses, texts, taken, count: 0, lines, indent: 1 }
     }
 
     pub(super) fn line(&mut self, text: &str) {
@@ -91,11 +98,18 @@ impl<'a> Printer<'a> {
     fn operation(&mut self, value: Value) {
         let (text, binding) = self.expression(value);
         let def = &self.graph.values[value];
+        // What is `precise` is so with all that it is made of.
+        let is_precise = |operand| self.precise.contains(operand);
         let is_function = matches!(def.kind, Kind::Op(Op::Fma));
-        let is_guarded = def.is_rounded && !is_function && self.language.guard == Guard::Precise;
+        let is_guarded = self.language.guard == Guard::Precise
+            && (def.is_rounded && !is_function || def.operands.iter().any(is_precise));
         let is_alias = matches!(def.kind, Kind::Merge) || is_sign_of_name(&text);
         let is_folded = self.uses[&value] == 1 && text.len() <= LONGEST;
-        if !is_guarded && (is_alias || is_folded) {
+        let is_part_of_sum = self.summands.contains(&value);
+        if is_alias || is_folded && (!is_guarded || is_part_of_sum) {
+            if is_guarded {
+                self.precise.insert(value);
+            }
             self.texts.insert(value, (text, binding));
             return;
         }
