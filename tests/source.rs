@@ -153,8 +153,16 @@ fn compilers() -> Vec<(&'static str, [&'static str; 3])> {
     there
 }
 
-const OPTIONS: [&str; 8] =
-    ["-O2", "-mfma", "-pedantic", "-Wall", "-Wextra", "-Werror", "-Wno-unused-function", "-Ishaders"];
+/// As the page has them, and warnings.
+fn options() -> Vec<&'static str> {
+    let mut options =
+        vec!["-O2", "-pedantic", "-Wall", "-Wextra", "-Werror", "-Wno-unused-function", "-Ishaders"];
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("fma") {
+        options.push("-mfma");
+    }
+    options
+}
 
 /// What a test program gives for the records in a file.
 fn run(
@@ -167,7 +175,7 @@ fn run(
     let stem = Path::new(source).file_stem().expect("it is a file").to_string_lossy();
     let program = out_dir().join(format!("{stem}_{compiler}_{contraction}"));
     let mut command = Command::new(compiler);
-    command.args(language).args(OPTIONS).arg(format!("-ffp-contract={contraction}")).current_dir(root());
+    command.args(language).args(options()).arg(format!("-ffp-contract={contraction}")).current_dir(root());
     let output = command.arg(source).args(["-x", "none", "-lm", "-o"]).arg(&program).output();
     let output = output.expect("the compiler starts");
     assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
@@ -242,7 +250,7 @@ fn the_program_of_the_page_prints_one_number_twice() {
     for (compiler, language) in compilers() {
         let program = out_dir().join(format!("page_{compiler}"));
         let mut command = Command::new(compiler);
-        command.args(language).args(OPTIONS).arg(&source).args(["-x", "none", "-lm", "-o"]).arg(&program);
+        command.args(language).args(options()).arg(&source).args(["-x", "none", "-lm", "-o"]).arg(&program);
         let output = command.current_dir(root()).output().expect("the compiler starts");
         assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
         let printed = Command::new(&program).output().expect("what was built can be run").stdout;
@@ -259,7 +267,11 @@ fn the_example_in_c_needs_the_header_alone() {
     for (compiler, language) in compilers() {
         let program = out_dir().join(format!("direct_light_{compiler}"));
         let mut command = Command::new(compiler);
-        command.args(language).args(OPTIONS).arg("examples/direct_light.c").args(["-x", "none", "-lm", "-o"]);
+        command
+            .args(language)
+            .args(options())
+            .arg("examples/direct_light.c")
+            .args(["-x", "none", "-lm", "-o"]);
         let output = command.arg(&program).current_dir(root()).output().expect("the compiler starts");
         assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
         let picture = Command::new(&program).output().expect("what was built can be run").stdout;
@@ -288,7 +300,7 @@ fn fast_mathematics_are_refused() {
     for (compiler, language) in compilers() {
         let output = Command::new(compiler)
             .args(language)
-            .args(OPTIONS)
+            .args(options())
             .args(["-ffast-math", "-c", "tests/c/inline.c", "-o", "/dev/null"])
             .current_dir(root())
             .output()
