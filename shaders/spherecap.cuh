@@ -492,7 +492,9 @@ static __device__ inline float spherecap_surface_importance(float3 normal, float
 }
 
 
-// The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with the normal.
+// The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the
+// probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with
+// the normal.
 struct spherecap_front_light {
     bool is_sampled;
     float solid_angle;

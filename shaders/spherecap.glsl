@@ -511,7 +511,9 @@ float spherecap_surface_importance(vec3 normal, vec3 centre, float radius, float
 }
 
 
-// The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with the normal.
+// The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the
+// probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with
+// the normal.
 struct spherecap_front_light {
     bool is_sampled;
     float solid_angle;

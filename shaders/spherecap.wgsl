@@ -513,7 +513,9 @@ fn spherecap_surface_importance(normal: vec3f, centre: vec3f, radius: f32, stren
 }
 
 
-// The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with the normal.
+// The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the
+// probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with
+// the normal.
 struct spherecap_front_light {
     is_sampled: bool,
     solid_angle: f32,

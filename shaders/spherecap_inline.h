@@ -540,7 +540,9 @@ static inline float spherecap_inline_surface_importance(const float normal[3], c
 }
 
 
-// The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with the normal.
+// The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the
+// probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with
+// the normal.
 typedef struct spherecap_inline_front_light {
     bool is_sampled;
     float solid_angle;

@@ -47,8 +47,9 @@ const FORMS: [(Form, &str, &str); 3] = [
     (
         Form::Front,
         "front",
-        "The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the probability \
-         of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with the normal.",
+        "The same with a normal of any length, or (0, 0, 0) for a point on no surface; and with a defensive fraction, the\n\
+         probability of sampling the whole cap by solid angle, 0 unless the integrand is no multiple of the cosine with\n\
+         the normal.",
     ),
     (
         Form::Both,
@@ -374,20 +375,20 @@ impl Language {
     /// The whole file.
     fn text(&self, forms: &[(Form, &str, &str, Functions)]) -> String {
         let about = ABOUT.replace("{version}", env!("CARGO_PKG_VERSION")).replace("{prefix}", self.prefix);
-        let mut text = self.head.replace("// {about}", &comment(&about, ""));
+        let mut text = self.head.replace("// {about}", &comment(&about));
         text.push('\n');
         let fields: Vec<(String, Type)> =
             SAMPLE.iter().map(|(name, of, _)| ((*name).to_owned(), *of)).collect();
         let comments: Vec<String> =
             SAMPLE.iter().map(|(name, _, about)| format!("{name}: {about}")).collect();
-        text += &comment(&format!("A sample.\n{}", comments.join("\n")), "");
+        text += &comment(&format!("A sample.\n{}", comments.join("\n")));
         text.push('\n');
         text += &self.structure("sample", &fields);
         text.push('\n');
         text += &self.no_sample();
         for (form, name, about, functions) in forms {
             text.push('\n');
-            text += &comment(about, "");
+            text += &comment(about);
             text.push('\n');
             text += &self.form(*form, name, functions);
         }
@@ -569,9 +570,8 @@ fn vector_of(name: &str) -> Option<(&str, usize)> {
 }
 
 /// A text as comment lines.
-fn comment(text: &str, indent: &str) -> String {
-    let lines: Vec<String> =
-        text.lines().map(|line| format!("{indent}// {line}").trim_end().to_owned()).collect();
+fn comment(text: &str) -> String {
+    let lines: Vec<String> = text.lines().map(|line| format!("// {line}").trim_end().to_owned()).collect();
     lines.join("\n")
 }
 

@@ -77,7 +77,7 @@ struct Scope {
 /// The backend that makes a graph.
 pub(super) struct Builder {
     state: RefCell<State>,
-    /// How many conditionals say what is known of the input: the first ones.
+    /// It says how many conditionals, the first ones, are what is known of the input.
     form: Form,
 }
 
