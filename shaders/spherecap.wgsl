@@ -91,25 +91,27 @@ struct spherecap_surface_light {
     is_sampled: bool,
     solid_angle: f32,
     projected_solid_angle: f32,
-    frame_0: vec3f,
-    frame_1: vec3f,
-    frame_2: vec3f,
+    towards_centre: vec3f,
+    sideways: vec3f,
     normal: vec3f,
     distance: f32,
     radius_sin: f32,
-    inv_radius_sin: f32,
     radius_cos: f32,
     elevation_sin: f32,
     elevation_cos: f32,
-    kappa: f32,
     tau: f32,
+    kappa: f32,
     width: f32,
     cut: f32,
     rise: f32,
     inv_above: f32,
+    third_axis: vec3f,
     crescent_share: f32,
     inv_rest: f32,
     beyond: f32,
+    middle: f32,
+    half_axis: f32,
+    climb: f32,
     coefficients_0: f32,
     coefficients_1: f32,
     coefficients_2: f32,
@@ -121,144 +123,172 @@ struct spherecap_surface_light {
 
 fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spherecap_surface_light {
     let unknown_zero = bitcast<u32>(radius) & 0x80000000u;
-    let t1 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t1, 8.5070587e37));
+    let t1 = fma(centre.x, centre.x, fma(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0;
+    let t2 = t1 && 9.536743e-7 < radius;
+    let t3 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
+    let unscale = spherecap_power_of_two(spherecap_min(t3, 8.5070587e37));
     let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t2 = centre.x * scale;
-    let t3 = centre.y * scale;
-    let t4 = centre.z * scale;
-    let t5 = radius * scale;
-    let t6 = spherecap_keep(t2 * t2, unknown_zero);
-    let t7 = spherecap_keep(t3 * t3, unknown_zero);
-    let t8 = spherecap_keep(t4 * t4, unknown_zero);
-    let t9 = spherecap_keep(t6 + t7, unknown_zero);
-    let t10 = spherecap_keep(t9 - t6, unknown_zero);
-    let t11 = spherecap_keep(t6 - spherecap_keep(t9 - t10, unknown_zero), unknown_zero);
-    let t12 = spherecap_keep(t9 + t8, unknown_zero);
-    let t13 = spherecap_keep(t12 - t9, unknown_zero);
-    let t14 = spherecap_keep(t9 - spherecap_keep(t12 - t13, unknown_zero), unknown_zero);
-    let t15 = spherecap_lost(t2, t2, t6, unknown_zero) + spherecap_lost(t3, t3, t7, unknown_zero);
-    let t16 = t11 + spherecap_keep(t7 - t10, unknown_zero) + (t14 + spherecap_keep(t8 - t13, unknown_zero));
-    let t17 = spherecap_keep(t5 * t5, unknown_zero);
-    let t18 = t15 + spherecap_lost(t4, t4, t8, unknown_zero) + t16 - spherecap_lost(t5, t5, t17, unknown_zero);
-    let t19 = t12 - t17 + t18;
-    let t20 = 0.0 < t19;
-    let t21 = sqrt(t12);
-    let t22 = 1.0 / t21;
-    let t23 = spherecap_keep(normal.x * t2, unknown_zero);
-    let t24 = spherecap_keep(normal.y * t3, unknown_zero);
-    let t25 = spherecap_keep(normal.z * t4, unknown_zero);
-    let t26 = spherecap_keep(t23 + t24, unknown_zero);
-    let t27 = spherecap_keep(t26 - t23, unknown_zero);
-    let t28 = spherecap_keep(t23 - spherecap_keep(t26 - t27, unknown_zero), unknown_zero);
-    let t29 = spherecap_keep(t26 + t25, unknown_zero);
-    let t30 = spherecap_keep(t29 - t26, unknown_zero);
-    let t31 = spherecap_keep(t26 - spherecap_keep(t29 - t30, unknown_zero), unknown_zero);
-    let t32 = spherecap_lost(normal.x, t2, t23, unknown_zero) + spherecap_lost(normal.y, t3, t24, unknown_zero);
-    let t33 = t28 + spherecap_keep(t24 - t27, unknown_zero) + (t31 + spherecap_keep(t25 - t30, unknown_zero));
-    let t34 = t32 + spherecap_lost(normal.z, t4, t25, unknown_zero) + t33;
-    let t35 = spherecap_keep(t29 + t34, unknown_zero);
-    let t36 = spherecap_keep(t34 - spherecap_keep(t35 - t29, unknown_zero), unknown_zero);
-    let t37 = t5 - t35 - t36;
-    let t38 = t5 + t35 + t36;
-    let t39 = t37 * t38;
-    let t40 = 0.0 < t39 && t20;
-    let t41 = spherecap_keep(normal.z * t3, unknown_zero);
-    let t42 = spherecap_fused(normal.y, t4, -t41, unknown_zero) - spherecap_lost(normal.z, t3, t41, unknown_zero);
-    let t43 = spherecap_keep(normal.x * t4, unknown_zero);
-    let t44 = spherecap_fused(normal.z, t2, -t43, unknown_zero) - spherecap_lost(normal.x, t4, t43, unknown_zero);
-    let t45 = spherecap_keep(normal.y * t2, unknown_zero);
-    let t46 = spherecap_fused(normal.x, t3, -t45, unknown_zero) - spherecap_lost(normal.y, t2, t45, unknown_zero);
-    let t47 = fma(t42, t42, fma(t44, t44, t46 * t46));
-    let t48 = 9.8607613e-32 < t47;
-    let t49 = abs(t2) < abs(t4);
-    let t50 = select(-t3, 0.0, t49);
-    let t51 = select(t2, -t4, t49);
-    let t52 = select(0.0, t3, t49);
-    let t53 = sqrt(spherecap_max(t19, 0.0));
-    let radius_cos = t53 * t22;
-    let t54 = 1.0 + radius_cos;
-    let t55 = 1.0 / (t5 * t54);
-    let t56 = t55 * t54;
-    let radius_sin = t5 * t22;
-    let inv_radius_sin = t21 * t56;
-    let t57 = sqrt(t19 + t39);
-    let t58 = sqrt(select(fma(t50, t50, fma(t51, t51, t52 * t52)), t47, t48));
-    let elevation_sin = t35 * t22;
-    let elevation_cos = select(select(0.0, t58, t48), t57, t40) * t22;
-    let t59 = abs(elevation_sin);
-    let t60 = radius_sin * elevation_cos;
-    let t61 = spherecap_max(fma(radius_cos, t59, t60), 9.8607613e-32);
-    let t62 = 1.0 / (t61 * t58);
-    let t63 = t62 * t58;
-    let t64 = t62 * t61;
-    let frame_2_x = select(t50, t42, t48) * t64;
-    let frame_2_y = select(t51, t44, t48) * t64;
-    let frame_2_z = select(t52, t46, t48) * t64;
-    let frame_0_x = t2 * t22;
-    let frame_0_y = t3 * t22;
-    let frame_0_z = t4 * t22;
+    let t4 = select(centre.x * scale, centre.x, t2);
+    let t5 = select(centre.y * scale, centre.y, t2);
+    let t6 = select(centre.z * scale, centre.z, t2);
+    let t7 = select(radius * scale, radius, t2);
+    let t8 = spherecap_keep(t6 * t6, unknown_zero);
+    let t9 = fma(t4, t4, fma(t5, t5, t8));
+    let t10 = fma(-t7, t7, t9);
+    var t11 = 0.0;
+    var t12 = 0.0;
+    if (t10 < t9 * 0.25) {
+        let t13 = spherecap_keep(t4 * t4, unknown_zero);
+        let t14 = spherecap_keep(t5 * t5, unknown_zero);
+        let t15 = spherecap_keep(t13 + t14, unknown_zero);
+        let t16 = spherecap_keep(t15 - t13, unknown_zero);
+        let t17 = spherecap_keep(t13 - spherecap_keep(t15 - t16, unknown_zero), unknown_zero);
+        let t18 = spherecap_keep(t15 + t8, unknown_zero);
+        let t19 = spherecap_keep(t18 - t15, unknown_zero);
+        let t20 = spherecap_keep(t15 - spherecap_keep(t18 - t19, unknown_zero), unknown_zero);
+        let t21 = spherecap_lost(t4, t4, t13, unknown_zero) + spherecap_lost(t5, t5, t14, unknown_zero);
+        let t22 = t17 + spherecap_keep(t14 - t16, unknown_zero) + (t20 + spherecap_keep(t8 - t19, unknown_zero));
+        let t23 = spherecap_fused(-t7, t7, t18, unknown_zero) + (t21 + spherecap_lost(t6, t6, t8, unknown_zero) + t22);
+        t11 = t18;
+        t12 = t23;
+    } else {
+        t11 = t9;
+        t12 = t10;
+    }
+    let t24 = spherecap_keep(normal.z * t5, unknown_zero);
+    let t25 = spherecap_fused(normal.y, t6, -t24, unknown_zero);
+    let t26 = spherecap_keep(normal.x * t6, unknown_zero);
+    let t27 = spherecap_fused(normal.z, t4, -t26, unknown_zero);
+    let t28 = spherecap_keep(normal.y * t4, unknown_zero);
+    let t29 = spherecap_fused(normal.x, t5, -t28, unknown_zero);
+    let t30 = fma(t25, t25, fma(t27, t27, t29 * t29));
+    var t31 = 0.0;
+    var t32 = 0.0;
+    var t33 = 0.0;
+    var t34 = 0.0;
+    var t35 = 0.0;
+    if (t30 < t11 * 0.015625) {
+        let t36 = t25 - spherecap_lost(normal.z, t5, t24, unknown_zero);
+        let t37 = t27 - spherecap_lost(normal.x, t6, t26, unknown_zero);
+        let t38 = t29 - spherecap_lost(normal.y, t4, t28, unknown_zero);
+        let t39 = fma(t36, t36, fma(t37, t37, t38 * t38));
+        let t40 = t39 < t11 * 5.169879e-26;
+        let t41 = abs(t4) < abs(t6);
+        let t42 = select(-t5, 0.0, t41);
+        let t43 = select(t4, -t6, t41);
+        let t44 = select(0.0, t5, t41);
+        let t45 = sqrt(t39);
+        t31 = select(t36, t42, t40);
+        t32 = select(t37, t43, t40);
+        t33 = select(t38, t44, t40);
+        t34 = select(t45, sqrt(fma(t42, t42, fma(t43, t43, t44 * t44))), t40);
+        t35 = select(t45, 0.0, t40);
+    } else {
+        let t46 = sqrt(t30);
+        t31 = t25;
+        t32 = t27;
+        t33 = t29;
+        t34 = t46;
+        t35 = t46;
+    }
+    let t47 = spherecap_keep(normal.x * t4, unknown_zero);
+    let t48 = spherecap_keep(normal.y * t5, unknown_zero);
+    let t49 = spherecap_keep(normal.z * t6, unknown_zero);
+    let t50 = spherecap_keep(t47 + t48, unknown_zero);
+    let t51 = spherecap_keep(t50 - t47, unknown_zero);
+    let t52 = spherecap_keep(t47 - spherecap_keep(t50 - t51, unknown_zero), unknown_zero);
+    let t53 = spherecap_keep(t50 + t49, unknown_zero);
+    let t54 = spherecap_keep(t53 - t50, unknown_zero);
+    let t55 = spherecap_keep(t50 - spherecap_keep(t53 - t54, unknown_zero), unknown_zero);
+    let t56 = spherecap_lost(normal.x, t4, t47, unknown_zero) + spherecap_lost(normal.y, t5, t48, unknown_zero);
+    let t57 = t52 + spherecap_keep(t48 - t51, unknown_zero) + (t55 + spherecap_keep(t49 - t54, unknown_zero));
+    let t58 = t56 + spherecap_lost(normal.z, t6, t49, unknown_zero) + t57;
+    let t59 = spherecap_keep(t53 + t58, unknown_zero);
+    let t60 = spherecap_keep(t58 - spherecap_keep(t59 - t53, unknown_zero), unknown_zero);
+    let t61 = t7 - t59 - t60;
+    let t62 = t7 + t59 + t60;
+    let t63 = t61 * t62;
+    let t64 = sqrt(t12);
+    let t65 = 0.0 < t12;
     var t_x = 0.0;
     var t_y = 0.0;
+    var width = 0.0;
     var kappa = 0.0;
     var cut = 0.0;
     var shape = 0.0;
-    var shape_cut = 0.0;
+    var shape_difference = 0.0;
     var norm = 0.0;
-    var width = 0.0;
-    var inv_cut_1 = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    if (t40) {
-        let t65 = sqrt(t39);
-        let t66 = t57 + t53;
-        let t67 = 1.0 / (t57 * t66);
-        let t68 = t67 * t66;
-        let t69 = t53 * t68;
-        let t70 = t65 * t68;
-        let t71 = abs(t35) * t56;
-        let t72 = t71 * t69;
-        let t73 = t69 - 0.5;
-        let t74 = t72 - 0.5;
-        let t75 = t73 * t73;
-        let t76 = t74 * t74;
-        let t77 = fma(0.05430631, t75, 0.080950715);
-        let t78 = fma(t77, t75, 0.1684019);
-        let t79 = fma(t78, t75, 0.32709444);
-        let t80 = fma(t79, t75, 0.5987523);
-        let t81 = fma(-0.026061837, t75, -0.06372378);
-        let t82 = fma(t81, t75, -0.11762552);
-        let t83 = fma(t82, t75, -0.23594604);
-        let t84 = fma(t83, t75, -0.44721135);
-        let t85 = fma(t84, t75, -0.7754678);
-        let t86 = fma(t85, t73, fma(t80, t75, 0.94559944));
-        let t87 = fma(t74, fma(fma(fma(fma(-0.026061837, t76, t81), t76, t82), t76, t83), t76, t84), fma(fma(fma(fma(0.05430631, t76, t77), t76, t78), t76, t79), t76, t80));
-        let t88 = fma(t87, t73 + t74, t85);
-        let t89 = fma(t72, t88, t86);
-        t_x = t69;
-        t_y = t70;
-        kappa = t71;
-        cut = t72;
-        shape = t86;
-        shape_cut = fma(t72 - t69, t88, t86);
-        norm = t89;
-        width = t39 * t67;
-        inv_cut_1 = t60 * t63;
-        tau = t65 * t56;
-        area = t70 * t70 * t70 * (spherecap_min(t37, t38) * t56) * t89;
+    var t66 = 0.0;
+    if (0.0 < t63 && t65) {
+        let t67 = sqrt(t12 + t63);
+        let t68 = sqrt(t63);
+        let t69 = 1.0 / (t67 * t7);
+        let t70 = t69 * t7;
+        let t71 = t69 * t67;
+        let t72 = t64 * t70;
+        let t73 = t68 * t70;
+        let t74 = t73 * t73;
+        let t75 = abs(t59) * t71;
+        let t76 = t75 * t72;
+        let t77 = t72 - 0.5;
+        let t78 = t76 - 0.5;
+        let t79 = t77 * t77;
+        let t80 = t78 * t78;
+        let t81 = fma(0.05430631, t79, 0.080950715);
+        let t82 = fma(t81, t79, 0.1684019);
+        let t83 = fma(t82, t79, 0.32709444);
+        let t84 = fma(t83, t79, 0.5987523);
+        let t85 = fma(-0.026061837, t79, -0.06372378);
+        let t86 = fma(t85, t79, -0.11762552);
+        let t87 = fma(t86, t79, -0.23594604);
+        let t88 = fma(t87, t79, -0.44721135);
+        let t89 = fma(t88, t79, -0.7754678);
+        let t90 = fma(t89, t77, fma(t84, t79, 0.94559944));
+        let t91 = fma(t78, fma(fma(fma(fma(-0.026061837, t80, t85), t80, t86), t80, t87), t80, t88), fma(fma(fma(fma(0.05430631, t80, t81), t80, t82), t80, t83), t80, t84));
+        let t92 = fma(t91, t77 + t78, t89);
+        let t93 = fma(t76, t92, t90);
+        t_x = t72;
+        t_y = t73;
+        width = t74 / (1.0 + t72);
+        kappa = t75;
+        cut = t76;
+        shape = t90;
+        shape_difference = t92;
+        norm = t93;
+        tau = t68 * t71;
+        area = t74 * t73 * (spherecap_min(t61, t62) * t71) * t93;
+        t66 = t67;
+    } else {
+        t66 = t35;
     }
-    let t90 = radius_sin * radius_sin;
-    let t91 = select(t90 * t59 * 3.1415927 + area, area, elevation_sin < 0.0);
-    let t92 = t20 && 9.8607613e-32 < t90;
-    let distance = t21 * unscale;
-    let projected_above = select(0.0, t91, 9.403955e-38 < t91 && t92);
+    let t94 = sqrt(t11);
+    let t95 = 1.0 / t94;
+    let radius_sin = t7 * t95;
+    let radius_cos = t64 * t95;
+    let elevation_sin = t59 * t95;
+    let elevation_cos = t66 * t95;
+    let t96 = abs(elevation_sin);
+    let climb = radius_sin * elevation_cos;
+    let rise = spherecap_max(t63 * (t95 * t95) / fma(radius_cos, t96, climb), -(radius_cos * t96));
+    let t97 = radius_sin * radius_sin;
+    let t98 = 0.0 < elevation_sin;
+    let t99 = select(area, fma(t97 * t96, 3.1415927, area), t98);
+    let t100 = 9.8607613e-32 < t97;
+    let t101 = 1.0 / t34;
+    let sideways_x = t31 * t101;
+    let sideways_y = t32 * t101;
+    let sideways_z = t33 * t101;
+    let distance = t94 * select(unscale, 1.0, t2);
+    let projected_above = select(0.0, t99, 9.403955e-38 < t99 && t100 && t65);
+    let t102 = 0.0 < tau;
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
-    let t93 = 0.0 < elevation_sin;
-    let t94 = select(0.0, inv_above, t93);
-    let t95 = 0.0 < tau;
-    let t96 = t93 && t95 && 0.0 < t94;
-    let t97 = t_y * t_y * t_y * shape * t94;
-    let t98 = t_y * inv_radius_sin;
+    let t103 = select(0.0, inv_above, t98);
+    let t104 = t102 && t98 && 0.0 < t103;
+    let t105 = t_y * t_y * t_y * shape * t103;
+    let t106 = t_y / radius_sin;
+    let beyond = select(0.0, t106 * t106 * t106 * fma(cut - t_x, shape_difference, shape), t104);
     var coefficients_0 = 0.0;
     var coefficients_1 = 0.0;
     var coefficients_2 = 0.0;
@@ -266,65 +296,69 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
     var coefficients_4 = 0.0;
     var coefficients_5 = 0.0;
     var coefficients_6 = 0.0;
-    if (!t93 && t95) {
-        let t99 = 1.0 + kappa;
-        let t100 = t99 * shape;
-        let t101 = 1.0 / (norm * t100);
-        let t102 = sqrt(t101);
-        let t103 = norm * t102;
-        let t104 = (t_x + kappa) * inv_cut_1 - 0.5;
-        let t105 = t104 * t104;
-        let t106 = fma(fma(fma(-0.026061837, t105, -0.06372378), t105, -0.11762552), t105, -0.23594604);
-        let t107 = fma(fma(fma(0.05430631, t105, 0.080950715), t105, 0.1684019), t105, 0.32709444);
-        let t108 = fma(fma(fma(t106, t105, -0.44721135), t105, -0.7754678), t104, fma(fma(t107, t105, 0.5987523), t105, 0.94559944));
-        let t109 = t99 * t108 * (inv_cut_1 * inv_cut_1 * inv_cut_1) * (t100 * t101);
-        let t110 = fma(t109, t100 * t102, -1.0);
-        let t111 = 1.0 - t109;
-        let t112 = fma(fma(30.011856, t110, fma(-41.541264, t111, -37.009792)), t110, fma(77.96775, t111, 7.470758));
-        let t113 = fma(fma(fma(fma(15.716111, t111, 0.0), t111, 9.961183), t111, -2.61785), t111, 0.8681748);
-        let t114 = fma(fma(t112, t110, fma(fma(-49.13454, t111, -9.466533), t111, -1.5877596)), t110, t113);
-        let t115 = t110 * t114;
-        let t116 = fma(fma(7.295638, t110, -7.236236), t110, fma(fma(fma(-11.4868555, t111, 0.0), t111, 0.0), t111, 3.1255686));
-        let t117 = fma(fma(fma(13.728438, t111, -7.981878), t111, 2.025724), t111, -0.7334958);
-        let t118 = t110 * fma(t116, t110, t117);
-        let t119 = fma(fma(-23.220068, t111, 7.332055), t110, fma(fma(fma(9.986537, t111, 25.22195), t111, 0.0), t111, -2.9581387));
-        let t120 = fma(fma(fma(-19.722994, t111, 4.6594768), t111, -0.89538246), t111, 0.5143498);
-        let t121 = t110 * fma(t119, t110, t120);
-        let t122 = fma(fma(fma(1.946617, t110, -3.077631), t110, 1.4945927), t110, -0.24140751);
-        let t123 = t110 * t122;
-        let t124 = t110 * fma(fma(0.38173297, t110, -0.30305624), t110, 0.05897375);
-        coefficients_0 = t103;
-        coefficients_1 = t109 - t103 + t115;
-        coefficients_2 = t118 - t115;
-        coefficients_3 = t121 - t118;
-        coefficients_4 = t123 - t121;
-        coefficients_5 = t124 - t123;
-        coefficients_6 = -t124;
+    if (t102 && !t98) {
+        let t107 = 1.0 + kappa;
+        let t108 = t107 * shape;
+        let t109 = 1.0 / (norm * t108);
+        let t110 = sqrt(t109);
+        let t111 = norm * t110;
+        let t112 = 1.0 / (1.0 + cut);
+        let t113 = (t_x + kappa) * t112 - 0.5;
+        let t114 = t113 * t113;
+        let t115 = fma(fma(fma(-0.026061837, t114, -0.06372378), t114, -0.11762552), t114, -0.23594604);
+        let t116 = fma(fma(fma(0.05430631, t114, 0.080950715), t114, 0.1684019), t114, 0.32709444);
+        let t117 = fma(fma(fma(t115, t114, -0.44721135), t114, -0.7754678), t113, fma(fma(t116, t114, 0.5987523), t114, 0.94559944));
+        let t118 = t107 * t117 * (t112 * t112 * t112) * (t108 * t109);
+        let t119 = fma(t118, t108 * t110, -1.0);
+        let t120 = 1.0 - t118;
+        let t121 = fma(fma(30.011856, t119, fma(-41.541264, t120, -37.009792)), t119, fma(77.96775, t120, 7.470758));
+        let t122 = fma(fma(fma(fma(15.716111, t120, 0.0), t120, 9.961183), t120, -2.61785), t120, 0.8681748);
+        let t123 = fma(fma(t121, t119, fma(fma(-49.13454, t120, -9.466533), t120, -1.5877596)), t119, t122);
+        let t124 = t119 * t123;
+        let t125 = fma(fma(7.295638, t119, -7.236236), t119, fma(fma(fma(-11.4868555, t120, 0.0), t120, 0.0), t120, 3.1255686));
+        let t126 = fma(fma(fma(13.728438, t120, -7.981878), t120, 2.025724), t120, -0.7334958);
+        let t127 = t119 * fma(t125, t119, t126);
+        let t128 = fma(fma(-23.220068, t120, 7.332055), t119, fma(fma(fma(9.986537, t120, 25.22195), t120, 0.0), t120, -2.9581387));
+        let t129 = fma(fma(fma(-19.722994, t120, 4.6594768), t120, -0.89538246), t120, 0.5143498);
+        let t130 = t119 * fma(t128, t119, t129);
+        let t131 = fma(fma(fma(1.946617, t119, -3.077631), t119, 1.4945927), t119, -0.24140751);
+        let t132 = t119 * t131;
+        let t133 = t119 * fma(fma(0.38173297, t119, -0.30305624), t119, 0.05897375);
+        coefficients_0 = t111;
+        coefficients_1 = t118 - t111 + t124;
+        coefficients_2 = t127 - t124;
+        coefficients_3 = t130 - t127;
+        coefficients_4 = t132 - t130;
+        coefficients_5 = t133 - t132;
+        coefficients_6 = -t133;
     }
-    let t125 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
+    let t134 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
+    let t135 = select(0.0, t97 / (1.0 + radius_cos), t100 && 0.0 < radius_cos) * 6.2831855;
     var light: spherecap_surface_light;
-    light.is_sampled = t125;
-    light.solid_angle = select(0.0, select(0.0, t90 * (t55 * t5) * 6.2831855, t92), t125);
-    light.projected_solid_angle = select(0.0, projected_above, t125);
-    light.frame_0 = vec3f(frame_0_x, frame_0_y, frame_0_z);
-    light.frame_1 = vec3f(fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
-    light.frame_2 = vec3f(frame_2_x, frame_2_y, frame_2_z);
+    light.is_sampled = t134;
+    light.solid_angle = select(0.0, t135, t134);
+    light.projected_solid_angle = select(0.0, projected_above, t134);
+    light.towards_centre = vec3f(t4 * t95, t5 * t95, t6 * t95);
+    light.sideways = vec3f(sideways_x, sideways_y, sideways_z);
     light.normal = vec3f(normal.x, normal.y, normal.z);
     light.distance = distance;
     light.radius_sin = radius_sin;
-    light.inv_radius_sin = inv_radius_sin;
     light.radius_cos = radius_cos;
     light.elevation_sin = elevation_sin;
     light.elevation_cos = elevation_cos;
-    light.kappa = kappa;
     light.tau = tau;
+    light.kappa = kappa;
     light.width = width;
     light.cut = cut;
-    light.rise = spherecap_max(t39 * (t22 * t22) * t63, -(radius_cos * t59));
+    light.rise = rise;
     light.inv_above = inv_above;
-    light.crescent_share = select(0.0, t97, t96);
-    light.inv_rest = select(1.0, 1.0 / (1.0 - t97), t96);
-    light.beyond = select(0.0, t98 * t98 * t98 * shape_cut, t96);
+    light.third_axis = vec3f(fma(sideways_y, normal.z, -(sideways_z * normal.y)), fma(sideways_z, normal.x, -(sideways_x * normal.z)), fma(sideways_x, normal.y, -(sideways_y * normal.x)));
+    light.crescent_share = select(0.0, t105, t104);
+    light.inv_rest = select(1.0, 1.0 / (1.0 - t105), t104);
+    light.beyond = beyond;
+    light.middle = elevation_cos * radius_cos;
+    light.half_axis = radius_sin * t96;
+    light.climb = climb;
     light.coefficients_0 = coefficients_0;
     light.coefficients_1 = coefficients_1;
     light.coefficients_2 = coefficients_2;
@@ -340,120 +374,118 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
         return spherecap_no_sample();
     }
     let t1 = abs(light.elevation_sin);
-    let t2 = 0.0 < light.elevation_sin;
-    let t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
-    let t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
-    let t5 = t2 && light.crescent_share <= t3;
-    let t6 = 1.0 - t4;
-    let t7 = t4 - t6;
-    let t8 = 4.0 * t4 * t6;
-    var t9 = 0.0;
+    let t2 = 0.0 < light.tau;
+    let t3 = t2 && !(0.0 < light.elevation_sin);
+    let t4 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
+    let t5 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
+    let t6 = !t2 || (!t3 && light.crescent_share <= t4);
+    let t7 = 1.0 - t5;
+    let t8 = t5 - t7;
+    let t9 = 4.0 * t5 * t7;
     var t10 = 0.0;
     var t11 = 0.0;
     var t12 = 0.0;
-    if (t5) {
-        let t13 = spherecap_max((t3 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        let t14 = spherecap_min(t13, 0.99999994);
-        let t15 = 3.1415927 - light.beyond;
-        let t16 = fma(t14, t15, light.beyond);
-        let t17 = (1.0 - t14) * t15;
-        t9 = spherecap_min(t16, t17) * 0.53033006;
-        t10 = 1.0;
+    var t13 = 0.0;
+    if (t6) {
+        let t14 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+        let t15 = select(t4, spherecap_min(t14, 0.99999994), t2);
+        let t16 = select(0.0, light.beyond, t2);
+        let t17 = 3.1415927 - t16;
+        let t18 = fma(t15, t17, t16);
+        let t19 = (1.0 - t15) * t17;
+        t10 = spherecap_min(t18, t19) * 0.53033006;
         t11 = 1.0;
-        t12 = t16 - t17;
+        t12 = 1.0;
+        t13 = t18 - t19;
     } else {
-        let t18 = sqrt(t8);
-        var t19 = 0.0;
-        var t20 = 0.0;
-        var t21 = 0.0;
-        var t22 = 0.0;
-        if (t2) {
-            t19 = t18;
-            t20 = 1.0;
-            t21 = t3;
-            t22 = light.crescent_share;
-        } else {
-            let t23 = fma(fma(light.coefficients_6, t8, light.coefficients_4), t8, light.coefficients_2);
-            let t24 = fma(fma(light.coefficients_5, t8, light.coefficients_3), t8, light.coefficients_1);
-            let t25 = t18 * fma(t24, t18, fma(t23, t8, light.coefficients_0));
-            let t26 = sqrt(fma(t7, t7, t25 * t25));
-            let t27 = light.tau * t25;
-            t19 = t27;
-            t20 = fma(t7, t7, t27 * t27);
-            t21 = light.width;
-            t22 = fma(light.kappa, t25, t26) * fma(light.cut, t25, t26);
-        }
-        let t28 = t21 / t22;
-        let t29 = select(t3, spherecap_min(spherecap_max(t28, 5.9604645e-8), 0.99999994), t2);
-        let t30 = select(t28, light.width, t2);
-        let t31 = t20 * t30;
+        let t20 = sqrt(t9);
+        let t21 = fma(fma(light.coefficients_6, t9, light.coefficients_4), t9, light.coefficients_2);
+        let t22 = fma(fma(light.coefficients_5, t9, light.coefficients_3), t9, light.coefficients_1);
+        let t23 = t20 * fma(t22, t20, fma(t21, t9, light.coefficients_0));
+        let t24 = sqrt(fma(t8, t8, t23 * t23));
+        let t25 = light.tau * t23;
+        let t26 = select(1.0, fma(t8, t8, t25 * t25), t3);
+        let t27 = select(light.crescent_share, fma(light.kappa, t23, t24) * fma(light.cut, t23, t24), t3);
+        let t28 = select(t4, light.width, t3) / t27;
+        let t29 = select(spherecap_min(spherecap_max(t28, 5.9604645e-8), 0.99999994), t4, t3);
+        let t30 = select(light.width, t28, t3);
+        let t31 = t26 * t30;
         let t32 = t31 * t31;
         let t33 = fma(fma(fma(-0.00060778117, t32, -0.0027203285), t32, -0.10000902), t31, fma(fma(1.0676054e-5, t32, -0.011332183), t32, 1.0000001));
-        t9 = t29;
-        t10 = t30 * t33;
-        t11 = t20;
-        t12 = t19;
+        t10 = t29;
+        t11 = t30 * t33;
+        t12 = t26;
+        t13 = select(t20, t25, t3);
     }
-    let t34 = spherecap_float_of_bits(fma(spherecap_bits(t9), -0.33333334, 1419900500.0));
-    let t35 = fma(-(t9 * t34), t34 * t34, 1.0);
+    let t34 = spherecap_float_of_bits(fma(spherecap_bits(t10), -0.33333334, 1419900500.0));
+    let t35 = fma(-(t10 * t34), t34 * t34, 1.0);
     let t36 = t35 * t35;
     let t37 = fma(fma(fma(0.110958695, t36, 0.14403293), t36, 0.22222222), t35, fma(fma(0.12482853, t36, 0.17283951), t36, 0.33333334));
-    let t38 = t10 * (t9 * fma(t34, t35 * t37, t34));
-    let t39 = t38 * t11;
+    let t38 = t11 * (t10 * fma(t34, t35 * t37, t34));
+    let t39 = t38 * t12;
     let t40 = t39 * t39;
     let t41 = fma(fma(fma(-0.063446075, t40, -0.056249518), t40, 0.0074712755), t40, 0.09996679);
     let t42 = fma(fma(fma(0.022114987, t40, 0.085662976), t40, 0.030445365), t40, 0.03209764);
     let t43 = t38 * fma(t41, t39, fma(t42, t40, 1.0000004));
-    let t44 = select(t43, spherecap_min(t43, 1.0), t5);
-    let t45 = t11 * t44;
+    let t44 = select(t43, spherecap_min(t43, 1.0), t6);
+    let t45 = t12 * t44;
     let t46 = 2.0 - t45;
     let t47 = t44 * t46;
     let t48 = sqrt(t47);
+    var t49 = 0.0;
+    var t50 = 0.0;
     var zenith = 0.0;
     var side = 0.0;
     var cosine = 0.0;
-    if (t5) {
-        let t49 = light.radius_sin * light.elevation_cos;
-        let t50 = select(t46, t45, t12 < 0.0);
-        let t51 = 1.0 - t50;
-        let t52 = t47 * t8;
-        let t53 = spherecap_max(fma(t49, t50, -light.rise), 0.0);
-        let t54 = sqrt(fma(t53, t53, light.radius_sin * light.radius_sin * t52));
-        let t55 = t1 * light.radius_cos;
-        let t56 = fma(light.elevation_cos * t51, fma(t49, t51, -2.0 * t55), light.radius_sin * t52);
-        let t57 = light.radius_sin * fma(light.elevation_cos, t56 / (t54 + t55), -(t1 * t1 * t51));
-        zenith = t57;
-        side = light.radius_sin * t48 * t7;
-        cosine = t54;
+    if (t6) {
+        let t51 = select(t46, t45, t13 < 0.0);
+        let t52 = t47 * t9;
+        let t53 = 1.0 - t51;
+        let t54 = spherecap_max(fma(light.climb, t51, -light.rise), 0.0);
+        let t55 = sqrt(fma(t54, t54, light.radius_sin * light.radius_sin * t52));
+        let t56 = t1 * light.radius_cos;
+        let t57 = fma(light.elevation_cos * t53, fma(light.climb, t53, -2.0 * t56), light.radius_sin * t52);
+        let t58 = light.radius_sin * fma(light.elevation_cos, t57 / (t55 + t56), -(t1 * t1 * t53));
+        t49 = fma(light.half_axis, t53, light.middle);
+        t50 = t55;
+        zenith = t58;
+        side = light.radius_sin * t48 * t8;
+        cosine = t55;
     } else {
-        let t58 = t48 * t12;
-        zenith = fma(light.elevation_cos, t58, -(select(-t1, t1, t2) * (1.0 - t45)));
-        side = t48 * t7;
-        cosine = t58;
+        let t59 = t48 * t13;
+        let t60 = 1.0 - t45;
+        t49 = t60;
+        t50 = t59;
+        zenith = fma(light.elevation_cos, t59, -(select(t1, -t1, t3) * t60));
+        side = t48 * t8;
+        cosine = t59;
     }
-    let t59 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t60 = fma(zenith, zenith, side * side);
-    let t61 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t60), 0.0);
-    let t62 = sqrt(t61);
-    let t63 = sqrt(fma(light.radius_cos, light.radius_cos, t61));
-    let t64 = light.radius_cos * light.radius_cos / (t63 + t62);
-    let t65 = fma(light.frame_0.x, t63, fma(light.frame_1.x, zenith, light.frame_2.x * side));
-    let t66 = fma(light.frame_0.y, t63, fma(light.frame_1.y, zenith, light.frame_2.y * side));
-    let t67 = fma(light.frame_0.z, t63, fma(light.frame_1.z, zenith, light.frame_2.z * side));
-    let t68 = t64 * light.inv_radius_sin;
-    let t69 = -fma(t63, t62, t60) * light.inv_radius_sin;
+    let t61 = select(0.0, light.inv_above, 0.0 < cosine);
+    let t62 = fma(zenith, zenith, side * side);
+    let t63 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t62), 0.0);
+    let t64 = sqrt(t63);
+    let t65 = sqrt(fma(light.radius_cos, light.radius_cos, t63));
+    let t66 = light.radius_cos * light.radius_cos / (t65 + t64);
+    let t67 = 1.0 / light.radius_sin;
+    let t68 = t66 * t67;
+    let t69 = -fma(t65, t64, t62) * t67;
     let t70 = t68 * zenith;
     let t71 = t68 * side;
-    let t72 = fma(light.frame_0.x, t69, fma(light.frame_1.x, t70, light.frame_2.x * t71));
-    let t73 = fma(light.frame_0.y, t69, fma(light.frame_1.y, t70, light.frame_2.y * t71));
-    let t74 = fma(light.frame_0.z, t69, fma(light.frame_1.z, t70, light.frame_2.z * t71));
+    let t72 = fma(light.third_axis.x, t49, fma(light.sideways.x, side, light.normal.x * t50));
+    let t73 = fma(light.third_axis.y, t49, fma(light.sideways.y, side, light.normal.y * t50));
+    let t74 = fma(light.third_axis.z, t49, fma(light.sideways.z, side, light.normal.z * t50));
+    let t75 = fma(light.elevation_cos, t69, -(light.elevation_sin * t70));
+    let t76 = fma(light.elevation_sin, t69, light.elevation_cos * t70);
+    let t77 = fma(light.third_axis.x, t75, fma(light.sideways.x, t71, light.normal.x * t76));
+    let t78 = fma(light.third_axis.y, t75, fma(light.sideways.y, t71, light.normal.y * t76));
+    let t79 = fma(light.third_axis.z, t75, fma(light.sideways.z, t71, light.normal.z * t76));
     var sampled: spherecap_sample;
-    sampled.direction = vec3f(t65, t66, t67);
-    sampled.distance = t64 * light.distance;
-    sampled.normal = vec3f(t72, t73, t74);
+    sampled.direction = vec3f(t72, t73, t74);
+    sampled.distance = t66 * light.distance;
+    sampled.normal = vec3f(t77, t78, t79);
     sampled.cosine = cosine;
-    sampled.pdf = t59 * spherecap_min(abs(cosine), 3.4028235e38);
-    sampled.projected_pdf = t59;
+    sampled.pdf = t61 * spherecap_min(abs(cosine), 3.4028235e38);
+    sampled.projected_pdf = t61;
     return sampled;
 }
 
@@ -465,17 +497,19 @@ fn spherecap_surface_pdf_direction(light: spherecap_surface_light, direction: ve
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.frame_0.x, direction.x, fma(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
-    let t2 = fma(light.frame_1.x, direction.x, fma(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
-    let t3 = fma(light.frame_2.x, direction.x, fma(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
-    let t4 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t5 = t1 < 0.0;
-    let t6 = select(t2, 1.0, t5);
-    let t7 = select(t3, 1.0, t5);
-    let t8 = select(0.0, light.inv_above, 0.0 < t4) * spherecap_min(abs(t4), 3.4028235e38);
-    let t9 = select(0.0, t8, fma(t6, t6, t7 * t7) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t10 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    return select(0.0, t9, 0.998001 <= t10 && t10 <= 1.002001);
+    let t1 = fma(light.towards_centre.y, direction.y, light.towards_centre.z * direction.z);
+    let t2 = fma(light.towards_centre.y, light.sideways.z, -(light.towards_centre.z * light.sideways.y));
+    let t3 = fma(light.towards_centre.z, light.sideways.x, -(light.towards_centre.x * light.sideways.z));
+    let t4 = fma(light.towards_centre.x, light.sideways.y, -(light.towards_centre.y * light.sideways.x));
+    let t5 = fma(light.sideways.x, direction.x, fma(light.sideways.y, direction.y, light.sideways.z * direction.z));
+    let t6 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
+    let t7 = fma(light.towards_centre.x, direction.x, t1) < 0.0;
+    let t8 = select(fma(t2, direction.x, fma(t3, direction.y, t4 * direction.z)), 1.0, t7);
+    let t9 = select(t5, 1.0, t7);
+    let t10 = select(0.0, light.inv_above, 0.0 < t6) * spherecap_min(abs(t6), 3.4028235e38);
+    let t11 = select(0.0, t10, fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t12 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
+    return select(0.0, t11, 0.998001 <= t12 && t12 <= 1.002001);
 }
 
 fn spherecap_surface_pdf_on_sphere(light: spherecap_surface_light, direction: vec3f) -> f32 {
@@ -520,28 +554,33 @@ struct spherecap_front_light {
     is_sampled: bool,
     solid_angle: f32,
     projected_solid_angle: f32,
-    frame_0: vec3f,
-    frame_1: vec3f,
-    frame_2: vec3f,
+    towards_centre: vec3f,
+    sideways: vec3f,
     normal: vec3f,
+    up: vec3f,
+    on_surface: f32,
     distance: f32,
     radius_sin: f32,
-    inv_radius_sin: f32,
     radius_cos: f32,
     elevation_sin: f32,
     elevation_cos: f32,
-    inv_solid_angle: f32,
-    kappa: f32,
     tau: f32,
+    kappa: f32,
     width: f32,
     cut: f32,
     rise: f32,
     defensive: f32,
     requested: f32,
     inv_above: f32,
+    third_axis: vec3f,
+    height: f32,
+    inv_solid_angle: f32,
     crescent_share: f32,
     inv_rest: f32,
     beyond: f32,
+    middle: f32,
+    half_axis: f32,
+    climb: f32,
     coefficients_0: f32,
     coefficients_1: f32,
     coefficients_2: f32,
@@ -573,148 +612,192 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
         normal_z = t6 / t7;
     }
     let t8 = fma(normal_x, normal_x, fma(normal_y, normal_y, normal_z * normal_z));
-    let t9 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t9, 8.5070587e37));
+    let t9 = fma(centre.x, centre.x, fma(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0;
+    let t10 = t9 && 9.536743e-7 < radius;
+    let t11 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
+    let unscale = spherecap_power_of_two(spherecap_min(t11, 8.5070587e37));
     let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t10 = centre.x * scale;
-    let t11 = centre.y * scale;
-    let t12 = centre.z * scale;
-    let t13 = radius * scale;
-    let t14 = spherecap_keep(t10 * t10, unknown_zero);
-    let t15 = spherecap_keep(t11 * t11, unknown_zero);
-    let t16 = spherecap_keep(t12 * t12, unknown_zero);
-    let t17 = spherecap_keep(t14 + t15, unknown_zero);
-    let t18 = spherecap_keep(t17 - t14, unknown_zero);
-    let t19 = spherecap_keep(t14 - spherecap_keep(t17 - t18, unknown_zero), unknown_zero);
-    let t20 = spherecap_keep(t17 + t16, unknown_zero);
-    let t21 = spherecap_keep(t20 - t17, unknown_zero);
-    let t22 = spherecap_keep(t17 - spherecap_keep(t20 - t21, unknown_zero), unknown_zero);
-    let t23 = spherecap_lost(t10, t10, t14, unknown_zero) + spherecap_lost(t11, t11, t15, unknown_zero);
-    let t24 = t19 + spherecap_keep(t15 - t18, unknown_zero) + (t22 + spherecap_keep(t16 - t21, unknown_zero));
-    let t25 = spherecap_keep(t13 * t13, unknown_zero);
-    let t26 = t23 + spherecap_lost(t12, t12, t16, unknown_zero) + t24 - spherecap_lost(t13, t13, t25, unknown_zero);
-    let t27 = t20 - t25 + t26;
-    let t28 = 0.0 < t27;
-    let t29 = sqrt(t20);
-    let t30 = 1.0 / t29;
-    let t31 = spherecap_keep(normal_x * t10, unknown_zero);
-    let t32 = spherecap_keep(normal_y * t11, unknown_zero);
-    let t33 = spherecap_keep(normal_z * t12, unknown_zero);
-    let t34 = spherecap_keep(t31 + t32, unknown_zero);
-    let t35 = spherecap_keep(t34 - t31, unknown_zero);
-    let t36 = spherecap_keep(t31 - spherecap_keep(t34 - t35, unknown_zero), unknown_zero);
-    let t37 = spherecap_keep(t34 + t33, unknown_zero);
-    let t38 = spherecap_keep(t37 - t34, unknown_zero);
-    let t39 = spherecap_keep(t34 - spherecap_keep(t37 - t38, unknown_zero), unknown_zero);
-    let t40 = spherecap_lost(normal_x, t10, t31, unknown_zero) + spherecap_lost(normal_y, t11, t32, unknown_zero);
-    let t41 = t36 + spherecap_keep(t32 - t35, unknown_zero) + (t39 + spherecap_keep(t33 - t38, unknown_zero));
-    let t42 = t40 + spherecap_lost(normal_z, t12, t33, unknown_zero) + t41;
-    let t43 = spherecap_keep(t37 + t42, unknown_zero);
-    let t44 = spherecap_keep(t42 - spherecap_keep(t43 - t37, unknown_zero), unknown_zero);
-    let t45 = t13 - t43 - t44;
-    let t46 = t13 + t43 + t44;
-    let t47 = t45 * t46;
-    let t48 = 0.0 < t8;
-    let t49 = 0.0 < t47 && t28 && t48;
-    let t50 = spherecap_keep(normal_z * t11, unknown_zero);
-    let t51 = spherecap_fused(normal_y, t12, -t50, unknown_zero) - spherecap_lost(normal_z, t11, t50, unknown_zero);
-    let t52 = spherecap_keep(normal_x * t12, unknown_zero);
-    let t53 = spherecap_fused(normal_z, t10, -t52, unknown_zero) - spherecap_lost(normal_x, t12, t52, unknown_zero);
-    let t54 = spherecap_keep(normal_y * t10, unknown_zero);
-    let t55 = spherecap_fused(normal_x, t11, -t54, unknown_zero) - spherecap_lost(normal_y, t10, t54, unknown_zero);
-    let t56 = fma(t51, t51, fma(t53, t53, t55 * t55));
-    let t57 = 9.8607613e-32 < t56;
-    let t58 = abs(t10) < abs(t12);
-    let t59 = select(-t11, 0.0, t58);
-    let t60 = select(t10, -t12, t58);
-    let t61 = select(0.0, t11, t58);
-    let t62 = sqrt(spherecap_max(t27, 0.0));
-    let radius_cos = t62 * t30;
-    let t63 = 1.0 + radius_cos;
-    let t64 = 1.0 / (t13 * t63);
-    let t65 = t64 * t63;
-    let radius_sin = t13 * t30;
-    let inv_radius_sin = t29 * t65;
-    let t66 = sqrt(t27 + t47);
-    let t67 = sqrt(select(fma(t59, t59, fma(t60, t60, t61 * t61)), t56, t57));
-    let elevation_sin = t43 * t30;
-    let elevation_cos = select(select(0.0, t67, t57), t66, t49) * t30;
-    let t68 = abs(elevation_sin);
-    let t69 = radius_sin * elevation_cos;
-    let t70 = spherecap_max(fma(radius_cos, t68, t69), 9.8607613e-32);
-    let t71 = 1.0 / (t70 * t67);
-    let t72 = t71 * t67;
-    let t73 = t71 * t70;
-    let frame_2_x = select(t59, t51, t57) * t73;
-    let frame_2_y = select(t60, t53, t57) * t73;
-    let frame_2_z = select(t61, t55, t57) * t73;
-    let frame_0_x = t10 * t30;
-    let frame_0_y = t11 * t30;
-    let frame_0_z = t12 * t30;
+    let t12 = select(centre.x * scale, centre.x, t10);
+    let t13 = select(centre.y * scale, centre.y, t10);
+    let t14 = select(centre.z * scale, centre.z, t10);
+    let t15 = select(radius * scale, radius, t10);
+    let t16 = spherecap_keep(t14 * t14, unknown_zero);
+    let t17 = fma(t12, t12, fma(t13, t13, t16));
+    let t18 = fma(-t15, t15, t17);
+    var t19 = 0.0;
+    var t20 = 0.0;
+    if (t18 < t17 * 0.25) {
+        let t21 = spherecap_keep(t12 * t12, unknown_zero);
+        let t22 = spherecap_keep(t13 * t13, unknown_zero);
+        let t23 = spherecap_keep(t21 + t22, unknown_zero);
+        let t24 = spherecap_keep(t23 - t21, unknown_zero);
+        let t25 = spherecap_keep(t21 - spherecap_keep(t23 - t24, unknown_zero), unknown_zero);
+        let t26 = spherecap_keep(t23 + t16, unknown_zero);
+        let t27 = spherecap_keep(t26 - t23, unknown_zero);
+        let t28 = spherecap_keep(t23 - spherecap_keep(t26 - t27, unknown_zero), unknown_zero);
+        let t29 = spherecap_lost(t12, t12, t21, unknown_zero) + spherecap_lost(t13, t13, t22, unknown_zero);
+        let t30 = t25 + spherecap_keep(t22 - t24, unknown_zero) + (t28 + spherecap_keep(t16 - t27, unknown_zero));
+        let t31 = spherecap_fused(-t15, t15, t26, unknown_zero) + (t29 + spherecap_lost(t14, t14, t16, unknown_zero) + t30);
+        t19 = t26;
+        t20 = t31;
+    } else {
+        t19 = t17;
+        t20 = t18;
+    }
+    let t32 = 0.0 < t8;
+    let t33 = spherecap_keep(normal_z * t13, unknown_zero);
+    let t34 = spherecap_fused(normal_y, t14, -t33, unknown_zero);
+    let t35 = spherecap_keep(normal_x * t14, unknown_zero);
+    let t36 = spherecap_fused(normal_z, t12, -t35, unknown_zero);
+    let t37 = spherecap_keep(normal_y * t12, unknown_zero);
+    let t38 = spherecap_fused(normal_x, t13, -t37, unknown_zero);
+    let t39 = fma(t34, t34, fma(t36, t36, t38 * t38));
+    var up_x = 0.0;
+    var up_y = 0.0;
+    var up_z = 0.0;
+    var t40 = 0.0;
+    var t41 = 0.0;
+    var t42 = 0.0;
+    var t43 = 0.0;
+    var t44 = 0.0;
+    if (t39 < t19 * 0.015625) {
+        let t45 = t34 - spherecap_lost(normal_z, t13, t33, unknown_zero);
+        let t46 = t36 - spherecap_lost(normal_x, t14, t35, unknown_zero);
+        let t47 = t38 - spherecap_lost(normal_y, t12, t37, unknown_zero);
+        let t48 = fma(t45, t45, fma(t46, t46, t47 * t47));
+        let t49 = t48 < t19 * 5.169879e-26;
+        let t50 = abs(t12) < abs(t14);
+        let t51 = select(-t13, 0.0, t50);
+        let t52 = select(t12, -t14, t50);
+        let t53 = select(0.0, t13, t50);
+        let t54 = sqrt(fma(t51, t51, fma(t52, t52, t53 * t53)));
+        let t55 = sqrt(t19);
+        let t56 = t55 * t54;
+        let t57 = sqrt(t48);
+        let t58 = select(normal_x, select(fma(t13, t53, -(t14 * t52)) / t56, normal_x, t32), t49);
+        let t59 = select(normal_y, select(fma(t14, t51, -(t12 * t53)) / t56, normal_y, t32), t49);
+        let t60 = select(normal_z, select(fma(t12, t52, -(t13 * t51)) / t56, normal_z, t32), t49);
+        up_x = t58;
+        up_y = t59;
+        up_z = t60;
+        t40 = select(t45, t51, t49);
+        t41 = select(t46, t52, t49);
+        t42 = select(t47, t53, t49);
+        t43 = select(t57, t54, t49);
+        t44 = select(t57, select(t55, 0.0, t32), t49);
+    } else {
+        let t61 = sqrt(t39);
+        up_x = normal_x;
+        up_y = normal_y;
+        up_z = normal_z;
+        t40 = t34;
+        t41 = t36;
+        t42 = t38;
+        t43 = t61;
+        t44 = t61;
+    }
+    let t62 = spherecap_keep(normal_x * t12, unknown_zero);
+    let t63 = spherecap_keep(normal_y * t13, unknown_zero);
+    let t64 = spherecap_keep(normal_z * t14, unknown_zero);
+    let t65 = spherecap_keep(t62 + t63, unknown_zero);
+    let t66 = spherecap_keep(t65 - t62, unknown_zero);
+    let t67 = spherecap_keep(t62 - spherecap_keep(t65 - t66, unknown_zero), unknown_zero);
+    let t68 = spherecap_keep(t65 + t64, unknown_zero);
+    let t69 = spherecap_keep(t68 - t65, unknown_zero);
+    let t70 = spherecap_keep(t65 - spherecap_keep(t68 - t69, unknown_zero), unknown_zero);
+    let t71 = spherecap_lost(normal_x, t12, t62, unknown_zero) + spherecap_lost(normal_y, t13, t63, unknown_zero);
+    let t72 = t67 + spherecap_keep(t63 - t66, unknown_zero) + (t70 + spherecap_keep(t64 - t69, unknown_zero));
+    let t73 = t71 + spherecap_lost(normal_z, t14, t64, unknown_zero) + t72;
+    let t74 = spherecap_keep(t68 + t73, unknown_zero);
+    let t75 = spherecap_keep(t73 - spherecap_keep(t74 - t68, unknown_zero), unknown_zero);
+    let t76 = t15 - t74 - t75;
+    let t77 = t15 + t74 + t75;
+    let t78 = t76 * t77;
+    let t79 = sqrt(t20);
+    let t80 = 0.0 < t20;
     var t_x = 0.0;
     var t_y = 0.0;
+    var width = 0.0;
     var kappa = 0.0;
     var cut = 0.0;
     var shape = 0.0;
-    var shape_cut = 0.0;
+    var shape_difference = 0.0;
     var norm = 0.0;
-    var width = 0.0;
-    var inv_cut_1 = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    if (t49) {
-        let t74 = sqrt(t47);
-        let t75 = t66 + t62;
-        let t76 = 1.0 / (t66 * t75);
-        let t77 = t76 * t75;
-        let t78 = t62 * t77;
-        let t79 = t74 * t77;
-        let t80 = abs(t43) * t65;
-        let t81 = t80 * t78;
-        let t82 = t78 - 0.5;
-        let t83 = t81 - 0.5;
-        let t84 = t82 * t82;
-        let t85 = t83 * t83;
-        let t86 = fma(0.05430631, t84, 0.080950715);
-        let t87 = fma(t86, t84, 0.1684019);
-        let t88 = fma(t87, t84, 0.32709444);
-        let t89 = fma(t88, t84, 0.5987523);
-        let t90 = fma(-0.026061837, t84, -0.06372378);
-        let t91 = fma(t90, t84, -0.11762552);
-        let t92 = fma(t91, t84, -0.23594604);
-        let t93 = fma(t92, t84, -0.44721135);
-        let t94 = fma(t93, t84, -0.7754678);
-        let t95 = fma(t94, t82, fma(t89, t84, 0.94559944));
-        let t96 = fma(t83, fma(fma(fma(fma(-0.026061837, t85, t90), t85, t91), t85, t92), t85, t93), fma(fma(fma(fma(0.05430631, t85, t86), t85, t87), t85, t88), t85, t89));
-        let t97 = fma(t96, t82 + t83, t94);
-        let t98 = fma(t81, t97, t95);
-        t_x = t78;
-        t_y = t79;
-        kappa = t80;
-        cut = t81;
-        shape = t95;
-        shape_cut = fma(t81 - t78, t97, t95);
-        norm = t98;
-        width = t47 * t76;
-        inv_cut_1 = t69 * t72;
-        tau = t74 * t65;
-        area = t79 * t79 * t79 * (spherecap_min(t45, t46) * t65) * t98;
+    var t81 = 0.0;
+    if (0.0 < t78 && t32 && t80) {
+        let t82 = sqrt(t20 + t78);
+        let t83 = sqrt(t78);
+        let t84 = 1.0 / (t82 * t15);
+        let t85 = t84 * t15;
+        let t86 = t84 * t82;
+        let t87 = t79 * t85;
+        let t88 = t83 * t85;
+        let t89 = t88 * t88;
+        let t90 = abs(t74) * t86;
+        let t91 = t90 * t87;
+        let t92 = t87 - 0.5;
+        let t93 = t91 - 0.5;
+        let t94 = t92 * t92;
+        let t95 = t93 * t93;
+        let t96 = fma(0.05430631, t94, 0.080950715);
+        let t97 = fma(t96, t94, 0.1684019);
+        let t98 = fma(t97, t94, 0.32709444);
+        let t99 = fma(t98, t94, 0.5987523);
+        let t100 = fma(-0.026061837, t94, -0.06372378);
+        let t101 = fma(t100, t94, -0.11762552);
+        let t102 = fma(t101, t94, -0.23594604);
+        let t103 = fma(t102, t94, -0.44721135);
+        let t104 = fma(fma(fma(fma(-0.026061837, t95, t100), t95, t101), t95, t102), t95, t103);
+        let t105 = fma(t103, t94, -0.7754678);
+        let t106 = fma(t105, t92, fma(t99, t94, 0.94559944));
+        let t107 = fma(t93, t104, fma(fma(fma(fma(0.05430631, t95, t96), t95, t97), t95, t98), t95, t99));
+        let t108 = fma(t107, t92 + t93, t105);
+        let t109 = fma(t91, t108, t106);
+        t_x = t87;
+        t_y = t88;
+        width = t89 / (1.0 + t87);
+        kappa = t90;
+        cut = t91;
+        shape = t106;
+        shape_difference = t108;
+        norm = t109;
+        tau = t83 * t86;
+        area = t89 * t88 * (spherecap_min(t76, t77) * t86) * t109;
+        t81 = t82;
+    } else {
+        t81 = t44;
     }
-    let t99 = radius_sin * radius_sin;
-    let t100 = select(t99 * t68 * 3.1415927 + area, area, elevation_sin < 0.0);
-    let t101 = t28 && 9.8607613e-32 < t99;
-    let distance = t29 * unscale;
-    let solid_angle = select(0.0, t99 * (t64 * t13) * 6.2831855, t101);
-    let projected_above = select(0.0, t100, 9.403955e-38 < t100 && t101);
+    let t110 = sqrt(t19);
+    let t111 = 1.0 / t110;
+    let radius_sin = t15 * t111;
+    let radius_cos = t79 * t111;
+    let elevation_sin = t74 * t111;
+    let elevation_cos = t81 * t111;
+    let t112 = abs(elevation_sin);
+    let climb = radius_sin * elevation_cos;
+    let rise = spherecap_max(t78 * (t111 * t111) / fma(radius_cos, t112, climb), -(radius_cos * t112));
+    let t113 = radius_sin * radius_sin;
+    let t114 = 0.0 < elevation_sin;
+    let t115 = select(area, fma(t113 * t112, 3.1415927, area), t114);
+    let t116 = 9.8607613e-32 < t113;
+    let t117 = 1.0 / t43;
+    let sideways_x = t40 * t117;
+    let sideways_y = t41 * t117;
+    let sideways_z = t42 * t117;
+    let on_surface = select(0.0, 1.0, t32);
+    let distance = t110 * select(unscale, 1.0, t10);
+    let projected_above = select(0.0, t115, 9.403955e-38 < t115 && t116 && t80);
+    let t118 = 0.0 < tau;
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
-    let t102 = 0.0 < inv_above;
-    let t103 = 0.0 < elevation_sin;
-    let t104 = select(0.0, inv_above, t103);
-    let t105 = select(select(0.0, 1.0, 0.0 < defensive || !t48), defensive, t102);
-    let t106 = 0.0 < tau;
-    let t107 = t103 && t106 && 0.0 < t104;
-    let t108 = t_y * t_y * t_y * shape * t104;
-    let t109 = t_y * inv_radius_sin;
+    let t119 = 0.0 < inv_above;
+    let t120 = select(0.0, inv_above, t114);
+    let t121 = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t119);
+    let t122 = t118 && t114 && 0.0 < t120;
+    let t123 = t_y * t_y * t_y * shape * t120;
+    let t124 = t_y / radius_sin;
+    let beyond = select(0.0, t124 * t124 * t124 * fma(cut - t_x, shape_difference, shape), t122);
     var coefficients_0 = 0.0;
     var coefficients_1 = 0.0;
     var coefficients_2 = 0.0;
@@ -722,69 +805,77 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     var coefficients_4 = 0.0;
     var coefficients_5 = 0.0;
     var coefficients_6 = 0.0;
-    if (!t103 && t106) {
-        let t110 = 1.0 + kappa;
-        let t111 = t110 * shape;
-        let t112 = 1.0 / (norm * t111);
-        let t113 = sqrt(t112);
-        let t114 = norm * t113;
-        let t115 = (t_x + kappa) * inv_cut_1 - 0.5;
-        let t116 = t115 * t115;
-        let t117 = fma(fma(fma(-0.026061837, t116, -0.06372378), t116, -0.11762552), t116, -0.23594604);
-        let t118 = fma(fma(fma(0.05430631, t116, 0.080950715), t116, 0.1684019), t116, 0.32709444);
-        let t119 = fma(fma(fma(t117, t116, -0.44721135), t116, -0.7754678), t115, fma(fma(t118, t116, 0.5987523), t116, 0.94559944));
-        let t120 = t110 * t119 * (inv_cut_1 * inv_cut_1 * inv_cut_1) * (t111 * t112);
-        let t121 = fma(t120, t111 * t113, -1.0);
-        let t122 = 1.0 - t120;
-        let t123 = fma(fma(30.011856, t121, fma(-41.541264, t122, -37.009792)), t121, fma(77.96775, t122, 7.470758));
-        let t124 = fma(fma(fma(fma(15.716111, t122, 0.0), t122, 9.961183), t122, -2.61785), t122, 0.8681748);
-        let t125 = fma(fma(t123, t121, fma(fma(-49.13454, t122, -9.466533), t122, -1.5877596)), t121, t124);
-        let t126 = t121 * t125;
-        let t127 = fma(fma(7.295638, t121, -7.236236), t121, fma(fma(fma(-11.4868555, t122, 0.0), t122, 0.0), t122, 3.1255686));
-        let t128 = fma(fma(fma(13.728438, t122, -7.981878), t122, 2.025724), t122, -0.7334958);
-        let t129 = t121 * fma(t127, t121, t128);
-        let t130 = fma(fma(-23.220068, t122, 7.332055), t121, fma(fma(fma(9.986537, t122, 25.22195), t122, 0.0), t122, -2.9581387));
-        let t131 = fma(fma(fma(-19.722994, t122, 4.6594768), t122, -0.89538246), t122, 0.5143498);
-        let t132 = t121 * fma(t130, t121, t131);
-        let t133 = fma(fma(fma(1.946617, t121, -3.077631), t121, 1.4945927), t121, -0.24140751);
-        let t134 = t121 * t133;
-        let t135 = t121 * fma(fma(0.38173297, t121, -0.30305624), t121, 0.05897375);
-        coefficients_0 = t114;
-        coefficients_1 = t120 - t114 + t126;
-        coefficients_2 = t129 - t126;
-        coefficients_3 = t132 - t129;
-        coefficients_4 = t134 - t132;
-        coefficients_5 = t135 - t134;
-        coefficients_6 = -t135;
+    if (t118 && !t114) {
+        let t125 = 1.0 + kappa;
+        let t126 = t125 * shape;
+        let t127 = 1.0 / (norm * t126);
+        let t128 = sqrt(t127);
+        let t129 = norm * t128;
+        let t130 = 1.0 / (1.0 + cut);
+        let t131 = (t_x + kappa) * t130 - 0.5;
+        let t132 = t131 * t131;
+        let t133 = fma(fma(fma(-0.026061837, t132, -0.06372378), t132, -0.11762552), t132, -0.23594604);
+        let t134 = fma(fma(fma(0.05430631, t132, 0.080950715), t132, 0.1684019), t132, 0.32709444);
+        let t135 = fma(fma(fma(t133, t132, -0.44721135), t132, -0.7754678), t131, fma(fma(t134, t132, 0.5987523), t132, 0.94559944));
+        let t136 = t125 * t135 * (t130 * t130 * t130) * (t126 * t127);
+        let t137 = fma(t136, t126 * t128, -1.0);
+        let t138 = 1.0 - t136;
+        let t139 = fma(fma(30.011856, t137, fma(-41.541264, t138, -37.009792)), t137, fma(77.96775, t138, 7.470758));
+        let t140 = fma(fma(fma(fma(15.716111, t138, 0.0), t138, 9.961183), t138, -2.61785), t138, 0.8681748);
+        let t141 = fma(fma(t139, t137, fma(fma(-49.13454, t138, -9.466533), t138, -1.5877596)), t137, t140);
+        let t142 = t137 * t141;
+        let t143 = fma(fma(7.295638, t137, -7.236236), t137, fma(fma(fma(-11.4868555, t138, 0.0), t138, 0.0), t138, 3.1255686));
+        let t144 = fma(fma(fma(13.728438, t138, -7.981878), t138, 2.025724), t138, -0.7334958);
+        let t145 = t137 * fma(t143, t137, t144);
+        let t146 = fma(fma(-23.220068, t138, 7.332055), t137, fma(fma(fma(9.986537, t138, 25.22195), t138, 0.0), t138, -2.9581387));
+        let t147 = fma(fma(fma(-19.722994, t138, 4.6594768), t138, -0.89538246), t138, 0.5143498);
+        let t148 = t137 * fma(t146, t137, t147);
+        let t149 = fma(fma(fma(1.946617, t137, -3.077631), t137, 1.4945927), t137, -0.24140751);
+        let t150 = t137 * t149;
+        let t151 = t137 * fma(fma(0.38173297, t137, -0.30305624), t137, 0.05897375);
+        coefficients_0 = t129;
+        coefficients_1 = t136 - t129 + t142;
+        coefficients_2 = t145 - t142;
+        coefficients_3 = t148 - t145;
+        coefficients_4 = t150 - t148;
+        coefficients_5 = t151 - t150;
+        coefficients_6 = -t151;
     }
-    let t136 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38;
-    let t137 = t136 && (t102 || (0.0 < t105 && 0.0 < solid_angle));
+    let t152 = 0.0 < t121;
+    let t153 = select(0.0, t113 / (1.0 + radius_cos), t116 && 0.0 < radius_cos);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t153, 0.0 < t153), t152);
+    let t154 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t119 || (t152 && 0.0 < inv_solid_angle));
     var light: spherecap_front_light;
-    light.is_sampled = t137;
-    light.solid_angle = select(0.0, solid_angle, t137);
-    light.projected_solid_angle = select(0.0, projected_above, t137);
-    light.frame_0 = vec3f(frame_0_x, frame_0_y, frame_0_z);
-    light.frame_1 = vec3f(fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
-    light.frame_2 = vec3f(frame_2_x, frame_2_y, frame_2_z);
+    light.is_sampled = t154;
+    light.solid_angle = select(0.0, t153 * 6.2831855, t154);
+    light.projected_solid_angle = select(0.0, projected_above, t154);
+    light.towards_centre = vec3f(t12 * t111, t13 * t111, t14 * t111);
+    light.sideways = vec3f(sideways_x, sideways_y, sideways_z);
     light.normal = vec3f(normal_x, normal_y, normal_z);
+    light.up = vec3f(up_x, up_y, up_z);
+    light.on_surface = on_surface;
     light.distance = distance;
     light.radius_sin = radius_sin;
-    light.inv_radius_sin = inv_radius_sin;
     light.radius_cos = radius_cos;
     light.elevation_sin = elevation_sin;
     light.elevation_cos = elevation_cos;
-    light.inv_solid_angle = select(0.0, t63 * (inv_radius_sin * inv_radius_sin) * 0.15915494, t101);
-    light.kappa = kappa;
     light.tau = tau;
+    light.kappa = kappa;
     light.width = width;
     light.cut = cut;
-    light.rise = spherecap_max(t47 * (t30 * t30) * t72, -(radius_cos * t68));
-    light.defensive = t105;
+    light.rise = rise;
+    light.defensive = t121;
     light.requested = defensive;
     light.inv_above = inv_above;
-    light.crescent_share = select(0.0, t108, t107);
-    light.inv_rest = select(1.0, 1.0 / (1.0 - t108), t107);
-    light.beyond = select(0.0, t109 * t109 * t109 * shape_cut, t107);
+    light.third_axis = vec3f(fma(sideways_y, up_z, -(sideways_z * up_y)), fma(sideways_z, up_x, -(sideways_x * up_z)), fma(sideways_x, up_y, -(sideways_y * up_x)));
+    light.height = select(0.0, t153, t152);
+    light.inv_solid_angle = inv_solid_angle;
+    light.crescent_share = select(0.0, t123, t122);
+    light.inv_rest = select(1.0, 1.0 / (1.0 - t123), t122);
+    light.beyond = beyond;
+    light.middle = elevation_cos * radius_cos;
+    light.half_axis = radius_sin * t112;
+    light.climb = climb;
     light.coefficients_0 = coefficients_0;
     light.coefficients_1 = coefficients_1;
     light.coefficients_2 = coefficients_2;
@@ -800,153 +891,149 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         return spherecap_no_sample();
     }
     let t1 = abs(light.elevation_sin);
-    let t2 = 0.0 < light.elevation_sin;
+    let t2 = 0.0 < light.defensive;
     let t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
     let t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
-    let t5 = t3 < light.defensive;
+    let t5 = t2 && t3 < light.defensive;
     let t6 = 1.0 - light.defensive;
     let t7 = spherecap_max(select(t3 - light.defensive, t3, t5) / select(t6, light.defensive, t5), 5.9604645e-8);
     let t8 = select(t3, spherecap_min(t7, 0.99999994), 0.0 < light.requested);
-    let t9 = t5 || (t2 && light.crescent_share <= t8);
-    let t10 = 1.0 - t4;
-    let t11 = t4 - t10;
-    let t12 = 4.0 * t4 * t10;
-    var t13 = 0.0;
-    var t14 = 0.0;
+    let t9 = t5 || !(0.0 < light.tau);
+    let t10 = !t9 && !(0.0 < light.elevation_sin);
+    let t11 = t9 || (!t10 && light.crescent_share <= t8);
+    let t12 = 1.0 - t4;
+    let t13 = t4 - t12;
+    let t14 = 4.0 * t4 * t12;
     var t15 = 0.0;
     var t16 = 0.0;
-    if (t9) {
-        let t17 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        let t18 = select(spherecap_min(t17, 0.99999994), t8, t5);
-        let t19 = select(light.beyond, 0.0, t5);
-        let t20 = 3.1415927 - t19;
-        let t21 = fma(t18, t20, t19);
-        let t22 = (1.0 - t18) * t20;
-        t13 = spherecap_min(t21, t22) * 0.53033006;
-        t14 = 1.0;
-        t15 = 1.0;
-        t16 = t21 - t22;
+    var t17 = 0.0;
+    var t18 = 0.0;
+    if (t11) {
+        let t19 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+        let t20 = select(spherecap_min(t19, 0.99999994), t8, t9);
+        let t21 = select(light.beyond, 0.0, t9);
+        let t22 = 3.1415927 - t21;
+        let t23 = fma(t20, t22, t21);
+        let t24 = (1.0 - t20) * t22;
+        t15 = spherecap_min(t23, t24) * 0.53033006;
+        t16 = 1.0;
+        t17 = 1.0;
+        t18 = t23 - t24;
     } else {
-        let t23 = sqrt(t12);
-        var t24 = 0.0;
-        var t25 = 0.0;
-        var t26 = 0.0;
-        var t27 = 0.0;
-        if (t2) {
-            t24 = t23;
-            t25 = 1.0;
-            t26 = t8;
-            t27 = light.crescent_share;
-        } else {
-            let t28 = fma(fma(light.coefficients_6, t12, light.coefficients_4), t12, light.coefficients_2);
-            let t29 = fma(fma(light.coefficients_5, t12, light.coefficients_3), t12, light.coefficients_1);
-            let t30 = t23 * fma(t29, t23, fma(t28, t12, light.coefficients_0));
-            let t31 = sqrt(fma(t11, t11, t30 * t30));
-            let t32 = light.tau * t30;
-            t24 = t32;
-            t25 = fma(t11, t11, t32 * t32);
-            t26 = light.width;
-            t27 = fma(light.kappa, t30, t31) * fma(light.cut, t30, t31);
-        }
-        let t33 = t26 / t27;
-        let t34 = select(t8, spherecap_min(spherecap_max(t33, 5.9604645e-8), 0.99999994), t2);
-        let t35 = select(t33, light.width, t2);
-        let t36 = t25 * t35;
+        let t25 = sqrt(t14);
+        let t26 = fma(fma(light.coefficients_6, t14, light.coefficients_4), t14, light.coefficients_2);
+        let t27 = fma(fma(light.coefficients_5, t14, light.coefficients_3), t14, light.coefficients_1);
+        let t28 = t25 * fma(t27, t25, fma(t26, t14, light.coefficients_0));
+        let t29 = sqrt(fma(t13, t13, t28 * t28));
+        let t30 = light.tau * t28;
+        let t31 = select(1.0, fma(t13, t13, t30 * t30), t10);
+        let t32 = select(light.crescent_share, fma(light.kappa, t28, t29) * fma(light.cut, t28, t29), t10);
+        let t33 = select(t8, light.width, t10) / t32;
+        let t34 = select(spherecap_min(spherecap_max(t33, 5.9604645e-8), 0.99999994), t8, t10);
+        let t35 = select(light.width, t33, t10);
+        let t36 = t31 * t35;
         let t37 = t36 * t36;
         let t38 = fma(fma(fma(-0.00060778117, t37, -0.0027203285), t37, -0.10000902), t36, fma(fma(1.0676054e-5, t37, -0.011332183), t37, 1.0000001));
-        t13 = t34;
-        t14 = t35 * t38;
-        t15 = t25;
-        t16 = t24;
+        t15 = t34;
+        t16 = t35 * t38;
+        t17 = t31;
+        t18 = select(t25, t30, t10);
     }
-    let t39 = spherecap_float_of_bits(fma(spherecap_bits(t13), -0.33333334, 1419900500.0));
-    let t40 = fma(-(t13 * t39), t39 * t39, 1.0);
+    let t39 = spherecap_float_of_bits(fma(spherecap_bits(t15), -0.33333334, 1419900500.0));
+    let t40 = fma(-(t15 * t39), t39 * t39, 1.0);
     let t41 = t40 * t40;
     let t42 = fma(fma(fma(0.110958695, t41, 0.14403293), t41, 0.22222222), t40, fma(fma(0.12482853, t41, 0.17283951), t41, 0.33333334));
-    let t43 = t14 * (t13 * fma(t39, t40 * t42, t39));
-    let t44 = t43 * t15;
+    let t43 = t16 * (t15 * fma(t39, t40 * t42, t39));
+    let t44 = t43 * t17;
     let t45 = t44 * t44;
     let t46 = fma(fma(fma(-0.063446075, t45, -0.056249518), t45, 0.0074712755), t45, 0.09996679);
     let t47 = fma(fma(fma(0.022114987, t45, 0.085662976), t45, 0.030445365), t45, 0.03209764);
     let t48 = t43 * fma(t46, t44, fma(t47, t45, 1.0000004));
-    let t49 = select(t48, spherecap_min(t48, 1.0), t9);
-    let t50 = t15 * t49;
+    let t49 = select(t48, spherecap_min(t48, 1.0), t11);
+    let t50 = t17 * t49;
     let t51 = 2.0 - t50;
     let t52 = t49 * t51;
     let t53 = sqrt(t52);
+    var t54 = 0.0;
+    var t55 = 0.0;
     var zenith = 0.0;
     var side = 0.0;
     var cosine = 0.0;
-    if (t9) {
-        let t54 = select(t51, t50, t16 < 0.0);
-        var t55 = 0.0;
-        var t56 = 0.0;
-        var t57 = 0.0;
+    if (t11) {
+        let t56 = select(t51, t50, t18 < 0.0);
+        let t57 = t52 * t14;
+        var t58 = 0.0;
+        var t59 = 0.0;
+        var t60 = 0.0;
+        var t61 = 0.0;
+        var t62 = 0.0;
         if (t5) {
-            let t58 = light.solid_angle * 0.15915494;
-            let t59 = t58 * (1.0 - t52 * t12);
-            let t60 = sqrt(t58 * (2.0 - t59));
-            let t61 = (t54 - 1.0) * t60;
-            t55 = t61;
-            t56 = t53 * t11 * t60;
-            t57 = fma(light.elevation_sin, 1.0 - t59, light.elevation_cos * t61);
+            let t63 = light.height * (1.0 - t57);
+            let t64 = sqrt(light.height * (2.0 - t63));
+            let t65 = (t56 - 1.0) * t64;
+            let t66 = 1.0 - t63;
+            let t67 = fma(light.elevation_sin, t66, light.elevation_cos * t65);
+            t58 = fma(light.elevation_cos, t66, -(light.elevation_sin * t65));
+            t59 = t67;
+            t60 = t65;
+            t61 = t53 * t13 * t64;
+            t62 = t67 * light.on_surface;
         } else {
-            let t62 = light.radius_sin * light.elevation_cos;
-            let t63 = 1.0 - t54;
-            let t64 = t52 * t12;
-            let t65 = spherecap_max(fma(t62, t54, -light.rise), 0.0);
-            let t66 = sqrt(fma(t65, t65, light.radius_sin * light.radius_sin * t64));
-            let t67 = t1 * light.radius_cos;
-            let t68 = fma(light.elevation_cos * t63, fma(t62, t63, -2.0 * t67), light.radius_sin * t64);
-            let t69 = light.radius_sin * fma(light.elevation_cos, t68 / (t66 + t67), -(t1 * t1 * t63));
-            t55 = t69;
-            t56 = light.radius_sin * t53 * t11;
-            t57 = t66;
+            let t68 = 1.0 - t56;
+            let t69 = spherecap_max(fma(light.climb, t56, -light.rise), 0.0);
+            let t70 = sqrt(fma(t69, t69, light.radius_sin * light.radius_sin * t57));
+            let t71 = t1 * light.radius_cos;
+            let t72 = fma(light.elevation_cos * t68, fma(light.climb, t68, -2.0 * t71), light.radius_sin * t57);
+            let t73 = light.radius_sin * fma(light.elevation_cos, t72 / (t70 + t71), -(t1 * t1 * t68));
+            t58 = fma(light.half_axis, t68, light.middle);
+            t59 = t70;
+            t60 = t73;
+            t61 = light.radius_sin * t53 * t13;
+            t62 = t70;
         }
-        zenith = t55;
-        side = t56;
-        cosine = t57;
+        t54 = t58;
+        t55 = t59;
+        zenith = t60;
+        side = t61;
+        cosine = t62;
     } else {
-        let t70 = t53 * t16;
-        zenith = fma(light.elevation_cos, t70, -(select(-t1, t1, t2) * (1.0 - t50)));
-        side = t53 * t11;
-        cosine = t70;
+        let t74 = t53 * t18;
+        let t75 = 1.0 - t50;
+        t54 = t75;
+        t55 = t74;
+        zenith = fma(light.elevation_cos, t74, -(select(t1, -t1, t10) * t75));
+        side = t53 * t13;
+        cosine = t74;
     }
-    let t71 = spherecap_min(abs(cosine), 3.4028235e38);
-    let t72 = select(0.0, light.inv_above, 0.0 < cosine);
-    var t73 = 0.0;
-    var t74 = 0.0;
-    if (0.0 < light.defensive) {
-        let t75 = light.defensive * light.inv_solid_angle;
-        let t76 = fma(t72, t6, spherecap_min(t75 / spherecap_max(t71, 1.1754944e-38), 3.4028235e38));
-        t73 = fma(t72, t6 * t71, t75);
-        t74 = spherecap_min(t76, 3.4028235e38);
-    } else {
-        t73 = t72 * t71;
-        t74 = t72;
-    }
-    let t77 = fma(zenith, zenith, side * side);
-    let t78 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t77), 0.0);
-    let t79 = sqrt(t78);
-    let t80 = sqrt(fma(light.radius_cos, light.radius_cos, t78));
-    let t81 = light.radius_cos * light.radius_cos / (t80 + t79);
-    let t82 = fma(light.frame_0.x, t80, fma(light.frame_1.x, zenith, light.frame_2.x * side));
-    let t83 = fma(light.frame_0.y, t80, fma(light.frame_1.y, zenith, light.frame_2.y * side));
-    let t84 = fma(light.frame_0.z, t80, fma(light.frame_1.z, zenith, light.frame_2.z * side));
-    let t85 = t81 * light.inv_radius_sin;
-    let t86 = -fma(t80, t79, t77) * light.inv_radius_sin;
-    let t87 = t85 * zenith;
-    let t88 = t85 * side;
-    let t89 = fma(light.frame_0.x, t86, fma(light.frame_1.x, t87, light.frame_2.x * t88));
-    let t90 = fma(light.frame_0.y, t86, fma(light.frame_1.y, t87, light.frame_2.y * t88));
-    let t91 = fma(light.frame_0.z, t86, fma(light.frame_1.z, t87, light.frame_2.z * t88));
+    let t76 = spherecap_min(abs(cosine), 3.4028235e38);
+    let t77 = select(0.0, light.inv_above, 0.0 < cosine);
+    let t78 = light.defensive * light.inv_solid_angle;
+    let t79 = fma(t77, t6, spherecap_min(t78 / spherecap_max(t76, 1.1754944e-38), 3.4028235e38));
+    let t80 = fma(zenith, zenith, side * side);
+    let t81 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t80), 0.0);
+    let t82 = sqrt(t81);
+    let t83 = sqrt(fma(light.radius_cos, light.radius_cos, t81));
+    let t84 = light.radius_cos * light.radius_cos / (t83 + t82);
+    let t85 = 1.0 / light.radius_sin;
+    let t86 = t84 * t85;
+    let t87 = -fma(t83, t82, t80) * t85;
+    let t88 = t86 * zenith;
+    let t89 = t86 * side;
+    let t90 = fma(light.third_axis.x, t54, fma(light.sideways.x, side, light.up.x * t55));
+    let t91 = fma(light.third_axis.y, t54, fma(light.sideways.y, side, light.up.y * t55));
+    let t92 = fma(light.third_axis.z, t54, fma(light.sideways.z, side, light.up.z * t55));
+    let t93 = fma(light.elevation_cos, t87, -(light.elevation_sin * t88));
+    let t94 = fma(light.elevation_sin, t87, light.elevation_cos * t88);
+    let t95 = fma(light.third_axis.x, t93, fma(light.sideways.x, t89, light.up.x * t94));
+    let t96 = fma(light.third_axis.y, t93, fma(light.sideways.y, t89, light.up.y * t94));
+    let t97 = fma(light.third_axis.z, t93, fma(light.sideways.z, t89, light.up.z * t94));
     var sampled: spherecap_sample;
-    sampled.direction = vec3f(t82, t83, t84);
-    sampled.distance = t81 * light.distance;
-    sampled.normal = vec3f(t89, t90, t91);
+    sampled.direction = vec3f(t90, t91, t92);
+    sampled.distance = t84 * light.distance;
+    sampled.normal = vec3f(t95, t96, t97);
     sampled.cosine = cosine;
-    sampled.pdf = t73;
-    sampled.projected_pdf = t74;
+    sampled.pdf = select(t77 * t76, fma(t77, t6 * t76, t78), t2);
+    sampled.projected_pdf = select(t77, spherecap_min(t79, 3.4028235e38), t2);
     return sampled;
 }
 
@@ -958,19 +1045,21 @@ fn spherecap_front_pdf_direction(light: spherecap_front_light, direction: vec3f)
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.frame_0.x, direction.x, fma(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
-    let t2 = fma(light.frame_1.x, direction.x, fma(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
-    let t3 = fma(light.frame_2.x, direction.x, fma(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
-    let t4 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t5 = t1 < 0.0;
-    let t6 = select(t2, 1.0, t5);
-    let t7 = select(t3, 1.0, t5);
-    let t8 = spherecap_min(abs(t4), 3.4028235e38);
-    let t9 = select(0.0, light.inv_above, 0.0 < t4);
-    let t10 = fma(t9, (1.0 - light.defensive) * t8, light.defensive * light.inv_solid_angle);
-    let t11 = select(0.0, select(t9 * t8, t10, 0.0 < light.defensive), fma(t6, t6, t7 * t7) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t12 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    return select(0.0, t11, 0.998001 <= t12 && t12 <= 1.002001);
+    let t1 = fma(light.towards_centre.y, direction.y, light.towards_centre.z * direction.z);
+    let t2 = fma(light.towards_centre.y, light.sideways.z, -(light.towards_centre.z * light.sideways.y));
+    let t3 = fma(light.towards_centre.z, light.sideways.x, -(light.towards_centre.x * light.sideways.z));
+    let t4 = fma(light.towards_centre.x, light.sideways.y, -(light.towards_centre.y * light.sideways.x));
+    let t5 = fma(light.sideways.x, direction.x, fma(light.sideways.y, direction.y, light.sideways.z * direction.z));
+    let t6 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
+    let t7 = fma(light.towards_centre.x, direction.x, t1) < 0.0;
+    let t8 = select(fma(t2, direction.x, fma(t3, direction.y, t4 * direction.z)), 1.0, t7);
+    let t9 = select(t5, 1.0, t7);
+    let t10 = spherecap_min(abs(t6), 3.4028235e38);
+    let t11 = select(0.0, light.inv_above, 0.0 < t6);
+    let t12 = fma(t11, (1.0 - light.defensive) * t10, light.defensive * light.inv_solid_angle);
+    let t13 = select(0.0, select(t11 * t10, t12, 0.0 < light.defensive), fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t14 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
+    return select(0.0, t13, 0.998001 <= t14 && t14 <= 1.002001);
 }
 
 fn spherecap_front_pdf_on_sphere(light: spherecap_front_light, direction: vec3f) -> f32 {
@@ -1036,19 +1125,18 @@ struct spherecap_both_light {
     is_sampled: bool,
     solid_angle: f32,
     projected_solid_angle: f32,
-    frame_0: vec3f,
-    frame_1: vec3f,
-    frame_2: vec3f,
+    towards_centre: vec3f,
+    sideways: vec3f,
     normal: vec3f,
+    up: vec3f,
+    on_surface: f32,
     distance: f32,
     radius_sin: f32,
-    inv_radius_sin: f32,
     radius_cos: f32,
     elevation_sin: f32,
     elevation_cos: f32,
-    inv_solid_angle: f32,
-    kappa: f32,
     tau: f32,
+    kappa: f32,
     width: f32,
     cut: f32,
     rise: f32,
@@ -1057,9 +1145,15 @@ struct spherecap_both_light {
     inv_above: f32,
     inv_below: f32,
     share_above: f32,
+    third_axis: vec3f,
+    height: f32,
+    inv_solid_angle: f32,
     crescent_share: f32,
     inv_rest: f32,
     beyond: f32,
+    middle: f32,
+    half_axis: f32,
+    climb: f32,
     coefficients_0: f32,
     coefficients_1: f32,
     coefficients_2: f32,
@@ -1091,153 +1185,197 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
         normal_z = t6 / t7;
     }
     let t8 = fma(normal_x, normal_x, fma(normal_y, normal_y, normal_z * normal_z));
-    let t9 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t9, 8.5070587e37));
+    let t9 = fma(centre.x, centre.x, fma(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0;
+    let t10 = t9 && 9.536743e-7 < radius;
+    let t11 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
+    let unscale = spherecap_power_of_two(spherecap_min(t11, 8.5070587e37));
     let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t10 = centre.x * scale;
-    let t11 = centre.y * scale;
-    let t12 = centre.z * scale;
-    let t13 = radius * scale;
-    let t14 = spherecap_keep(t10 * t10, unknown_zero);
-    let t15 = spherecap_keep(t11 * t11, unknown_zero);
-    let t16 = spherecap_keep(t12 * t12, unknown_zero);
-    let t17 = spherecap_keep(t14 + t15, unknown_zero);
-    let t18 = spherecap_keep(t17 - t14, unknown_zero);
-    let t19 = spherecap_keep(t14 - spherecap_keep(t17 - t18, unknown_zero), unknown_zero);
-    let t20 = spherecap_keep(t17 + t16, unknown_zero);
-    let t21 = spherecap_keep(t20 - t17, unknown_zero);
-    let t22 = spherecap_keep(t17 - spherecap_keep(t20 - t21, unknown_zero), unknown_zero);
-    let t23 = spherecap_lost(t10, t10, t14, unknown_zero) + spherecap_lost(t11, t11, t15, unknown_zero);
-    let t24 = t19 + spherecap_keep(t15 - t18, unknown_zero) + (t22 + spherecap_keep(t16 - t21, unknown_zero));
-    let t25 = spherecap_keep(t13 * t13, unknown_zero);
-    let t26 = t23 + spherecap_lost(t12, t12, t16, unknown_zero) + t24 - spherecap_lost(t13, t13, t25, unknown_zero);
-    let t27 = t20 - t25 + t26;
-    let t28 = 0.0 < t27;
-    let t29 = sqrt(t20);
-    let t30 = 1.0 / t29;
-    let t31 = spherecap_keep(normal_x * t10, unknown_zero);
-    let t32 = spherecap_keep(normal_y * t11, unknown_zero);
-    let t33 = spherecap_keep(normal_z * t12, unknown_zero);
-    let t34 = spherecap_keep(t31 + t32, unknown_zero);
-    let t35 = spherecap_keep(t34 - t31, unknown_zero);
-    let t36 = spherecap_keep(t31 - spherecap_keep(t34 - t35, unknown_zero), unknown_zero);
-    let t37 = spherecap_keep(t34 + t33, unknown_zero);
-    let t38 = spherecap_keep(t37 - t34, unknown_zero);
-    let t39 = spherecap_keep(t34 - spherecap_keep(t37 - t38, unknown_zero), unknown_zero);
-    let t40 = spherecap_lost(normal_x, t10, t31, unknown_zero) + spherecap_lost(normal_y, t11, t32, unknown_zero);
-    let t41 = t36 + spherecap_keep(t32 - t35, unknown_zero) + (t39 + spherecap_keep(t33 - t38, unknown_zero));
-    let t42 = t40 + spherecap_lost(normal_z, t12, t33, unknown_zero) + t41;
-    let t43 = spherecap_keep(t37 + t42, unknown_zero);
-    let t44 = spherecap_keep(t42 - spherecap_keep(t43 - t37, unknown_zero), unknown_zero);
-    let t45 = t13 - t43 - t44;
-    let t46 = t13 + t43 + t44;
-    let t47 = t45 * t46;
-    let t48 = 0.0 < t8;
-    let t49 = 0.0 < t47 && t28 && t48;
-    let t50 = spherecap_keep(normal_z * t11, unknown_zero);
-    let t51 = spherecap_fused(normal_y, t12, -t50, unknown_zero) - spherecap_lost(normal_z, t11, t50, unknown_zero);
-    let t52 = spherecap_keep(normal_x * t12, unknown_zero);
-    let t53 = spherecap_fused(normal_z, t10, -t52, unknown_zero) - spherecap_lost(normal_x, t12, t52, unknown_zero);
-    let t54 = spherecap_keep(normal_y * t10, unknown_zero);
-    let t55 = spherecap_fused(normal_x, t11, -t54, unknown_zero) - spherecap_lost(normal_y, t10, t54, unknown_zero);
-    let t56 = fma(t51, t51, fma(t53, t53, t55 * t55));
-    let t57 = 9.8607613e-32 < t56;
-    let t58 = abs(t10) < abs(t12);
-    let t59 = select(-t11, 0.0, t58);
-    let t60 = select(t10, -t12, t58);
-    let t61 = select(0.0, t11, t58);
-    let t62 = sqrt(spherecap_max(t27, 0.0));
-    let radius_cos = t62 * t30;
-    let t63 = 1.0 + radius_cos;
-    let t64 = 1.0 / (t13 * t63);
-    let t65 = t64 * t63;
-    let radius_sin = t13 * t30;
-    let inv_radius_sin = t29 * t65;
-    let t66 = sqrt(t27 + t47);
-    let t67 = sqrt(select(fma(t59, t59, fma(t60, t60, t61 * t61)), t56, t57));
-    let elevation_sin = t43 * t30;
-    let elevation_cos = select(select(0.0, t67, t57), t66, t49) * t30;
-    let t68 = abs(elevation_sin);
-    let t69 = radius_sin * elevation_cos;
-    let t70 = spherecap_max(fma(radius_cos, t68, t69), 9.8607613e-32);
-    let t71 = 1.0 / (t70 * t67);
-    let t72 = t71 * t67;
-    let t73 = t71 * t70;
-    let frame_2_x = select(t59, t51, t57) * t73;
-    let frame_2_y = select(t60, t53, t57) * t73;
-    let frame_2_z = select(t61, t55, t57) * t73;
-    let frame_0_x = t10 * t30;
-    let frame_0_y = t11 * t30;
-    let frame_0_z = t12 * t30;
+    let t12 = select(centre.x * scale, centre.x, t10);
+    let t13 = select(centre.y * scale, centre.y, t10);
+    let t14 = select(centre.z * scale, centre.z, t10);
+    let t15 = select(radius * scale, radius, t10);
+    let t16 = spherecap_keep(t14 * t14, unknown_zero);
+    let t17 = fma(t12, t12, fma(t13, t13, t16));
+    let t18 = fma(-t15, t15, t17);
+    var t19 = 0.0;
+    var t20 = 0.0;
+    if (t18 < t17 * 0.25) {
+        let t21 = spherecap_keep(t12 * t12, unknown_zero);
+        let t22 = spherecap_keep(t13 * t13, unknown_zero);
+        let t23 = spherecap_keep(t21 + t22, unknown_zero);
+        let t24 = spherecap_keep(t23 - t21, unknown_zero);
+        let t25 = spherecap_keep(t21 - spherecap_keep(t23 - t24, unknown_zero), unknown_zero);
+        let t26 = spherecap_keep(t23 + t16, unknown_zero);
+        let t27 = spherecap_keep(t26 - t23, unknown_zero);
+        let t28 = spherecap_keep(t23 - spherecap_keep(t26 - t27, unknown_zero), unknown_zero);
+        let t29 = spherecap_lost(t12, t12, t21, unknown_zero) + spherecap_lost(t13, t13, t22, unknown_zero);
+        let t30 = t25 + spherecap_keep(t22 - t24, unknown_zero) + (t28 + spherecap_keep(t16 - t27, unknown_zero));
+        let t31 = spherecap_fused(-t15, t15, t26, unknown_zero) + (t29 + spherecap_lost(t14, t14, t16, unknown_zero) + t30);
+        t19 = t26;
+        t20 = t31;
+    } else {
+        t19 = t17;
+        t20 = t18;
+    }
+    let t32 = 0.0 < t8;
+    let t33 = spherecap_keep(normal_z * t13, unknown_zero);
+    let t34 = spherecap_fused(normal_y, t14, -t33, unknown_zero);
+    let t35 = spherecap_keep(normal_x * t14, unknown_zero);
+    let t36 = spherecap_fused(normal_z, t12, -t35, unknown_zero);
+    let t37 = spherecap_keep(normal_y * t12, unknown_zero);
+    let t38 = spherecap_fused(normal_x, t13, -t37, unknown_zero);
+    let t39 = fma(t34, t34, fma(t36, t36, t38 * t38));
+    var up_x = 0.0;
+    var up_y = 0.0;
+    var up_z = 0.0;
+    var t40 = 0.0;
+    var t41 = 0.0;
+    var t42 = 0.0;
+    var t43 = 0.0;
+    var t44 = 0.0;
+    if (t39 < t19 * 0.015625) {
+        let t45 = t34 - spherecap_lost(normal_z, t13, t33, unknown_zero);
+        let t46 = t36 - spherecap_lost(normal_x, t14, t35, unknown_zero);
+        let t47 = t38 - spherecap_lost(normal_y, t12, t37, unknown_zero);
+        let t48 = fma(t45, t45, fma(t46, t46, t47 * t47));
+        let t49 = t48 < t19 * 5.169879e-26;
+        let t50 = abs(t12) < abs(t14);
+        let t51 = select(-t13, 0.0, t50);
+        let t52 = select(t12, -t14, t50);
+        let t53 = select(0.0, t13, t50);
+        let t54 = sqrt(fma(t51, t51, fma(t52, t52, t53 * t53)));
+        let t55 = sqrt(t19);
+        let t56 = t55 * t54;
+        let t57 = sqrt(t48);
+        let t58 = select(normal_x, select(fma(t13, t53, -(t14 * t52)) / t56, normal_x, t32), t49);
+        let t59 = select(normal_y, select(fma(t14, t51, -(t12 * t53)) / t56, normal_y, t32), t49);
+        let t60 = select(normal_z, select(fma(t12, t52, -(t13 * t51)) / t56, normal_z, t32), t49);
+        up_x = t58;
+        up_y = t59;
+        up_z = t60;
+        t40 = select(t45, t51, t49);
+        t41 = select(t46, t52, t49);
+        t42 = select(t47, t53, t49);
+        t43 = select(t57, t54, t49);
+        t44 = select(t57, select(t55, 0.0, t32), t49);
+    } else {
+        let t61 = sqrt(t39);
+        up_x = normal_x;
+        up_y = normal_y;
+        up_z = normal_z;
+        t40 = t34;
+        t41 = t36;
+        t42 = t38;
+        t43 = t61;
+        t44 = t61;
+    }
+    let t62 = spherecap_keep(normal_x * t12, unknown_zero);
+    let t63 = spherecap_keep(normal_y * t13, unknown_zero);
+    let t64 = spherecap_keep(normal_z * t14, unknown_zero);
+    let t65 = spherecap_keep(t62 + t63, unknown_zero);
+    let t66 = spherecap_keep(t65 - t62, unknown_zero);
+    let t67 = spherecap_keep(t62 - spherecap_keep(t65 - t66, unknown_zero), unknown_zero);
+    let t68 = spherecap_keep(t65 + t64, unknown_zero);
+    let t69 = spherecap_keep(t68 - t65, unknown_zero);
+    let t70 = spherecap_keep(t65 - spherecap_keep(t68 - t69, unknown_zero), unknown_zero);
+    let t71 = spherecap_lost(normal_x, t12, t62, unknown_zero) + spherecap_lost(normal_y, t13, t63, unknown_zero);
+    let t72 = t67 + spherecap_keep(t63 - t66, unknown_zero) + (t70 + spherecap_keep(t64 - t69, unknown_zero));
+    let t73 = t71 + spherecap_lost(normal_z, t14, t64, unknown_zero) + t72;
+    let t74 = spherecap_keep(t68 + t73, unknown_zero);
+    let t75 = spherecap_keep(t73 - spherecap_keep(t74 - t68, unknown_zero), unknown_zero);
+    let t76 = t15 - t74 - t75;
+    let t77 = t15 + t74 + t75;
+    let t78 = t76 * t77;
+    let t79 = sqrt(t20);
+    let t80 = 0.0 < t20;
     var t_x = 0.0;
     var t_y = 0.0;
+    var width = 0.0;
     var kappa = 0.0;
     var cut = 0.0;
     var shape = 0.0;
-    var shape_cut = 0.0;
+    var shape_difference = 0.0;
     var norm = 0.0;
-    var width = 0.0;
-    var inv_cut_1 = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    if (t49) {
-        let t74 = sqrt(t47);
-        let t75 = t66 + t62;
-        let t76 = 1.0 / (t66 * t75);
-        let t77 = t76 * t75;
-        let t78 = t62 * t77;
-        let t79 = t74 * t77;
-        let t80 = abs(t43) * t65;
-        let t81 = t80 * t78;
-        let t82 = t78 - 0.5;
-        let t83 = t81 - 0.5;
-        let t84 = t82 * t82;
-        let t85 = t83 * t83;
-        let t86 = fma(0.05430631, t84, 0.080950715);
-        let t87 = fma(t86, t84, 0.1684019);
-        let t88 = fma(t87, t84, 0.32709444);
-        let t89 = fma(t88, t84, 0.5987523);
-        let t90 = fma(-0.026061837, t84, -0.06372378);
-        let t91 = fma(t90, t84, -0.11762552);
-        let t92 = fma(t91, t84, -0.23594604);
-        let t93 = fma(t92, t84, -0.44721135);
-        let t94 = fma(t93, t84, -0.7754678);
-        let t95 = fma(t94, t82, fma(t89, t84, 0.94559944));
-        let t96 = fma(t83, fma(fma(fma(fma(-0.026061837, t85, t90), t85, t91), t85, t92), t85, t93), fma(fma(fma(fma(0.05430631, t85, t86), t85, t87), t85, t88), t85, t89));
-        let t97 = fma(t96, t82 + t83, t94);
-        let t98 = fma(t81, t97, t95);
-        t_x = t78;
-        t_y = t79;
-        kappa = t80;
-        cut = t81;
-        shape = t95;
-        shape_cut = fma(t81 - t78, t97, t95);
-        norm = t98;
-        width = t47 * t76;
-        inv_cut_1 = t69 * t72;
-        tau = t74 * t65;
-        area = t79 * t79 * t79 * (spherecap_min(t45, t46) * t65) * t98;
+    var t81 = 0.0;
+    if (0.0 < t78 && t32 && t80) {
+        let t82 = sqrt(t20 + t78);
+        let t83 = sqrt(t78);
+        let t84 = 1.0 / (t82 * t15);
+        let t85 = t84 * t15;
+        let t86 = t84 * t82;
+        let t87 = t79 * t85;
+        let t88 = t83 * t85;
+        let t89 = t88 * t88;
+        let t90 = abs(t74) * t86;
+        let t91 = t90 * t87;
+        let t92 = t87 - 0.5;
+        let t93 = t91 - 0.5;
+        let t94 = t92 * t92;
+        let t95 = t93 * t93;
+        let t96 = fma(0.05430631, t94, 0.080950715);
+        let t97 = fma(t96, t94, 0.1684019);
+        let t98 = fma(t97, t94, 0.32709444);
+        let t99 = fma(t98, t94, 0.5987523);
+        let t100 = fma(-0.026061837, t94, -0.06372378);
+        let t101 = fma(t100, t94, -0.11762552);
+        let t102 = fma(t101, t94, -0.23594604);
+        let t103 = fma(t102, t94, -0.44721135);
+        let t104 = fma(fma(fma(fma(-0.026061837, t95, t100), t95, t101), t95, t102), t95, t103);
+        let t105 = fma(t103, t94, -0.7754678);
+        let t106 = fma(t105, t92, fma(t99, t94, 0.94559944));
+        let t107 = fma(t93, t104, fma(fma(fma(fma(0.05430631, t95, t96), t95, t97), t95, t98), t95, t99));
+        let t108 = fma(t107, t92 + t93, t105);
+        let t109 = fma(t91, t108, t106);
+        t_x = t87;
+        t_y = t88;
+        width = t89 / (1.0 + t87);
+        kappa = t90;
+        cut = t91;
+        shape = t106;
+        shape_difference = t108;
+        norm = t109;
+        tau = t83 * t86;
+        area = t89 * t88 * (spherecap_min(t76, t77) * t86) * t109;
+        t81 = t82;
+    } else {
+        t81 = t44;
     }
-    let t99 = radius_sin * radius_sin;
-    let t100 = t99 * t68 * 3.1415927 + area;
-    let t101 = elevation_sin < 0.0;
-    let t102 = select(t100, area, t101);
-    let t103 = select(area, t100, t101);
-    let t104 = t28 && 9.8607613e-32 < t99;
-    let distance = t29 * unscale;
-    let solid_angle = select(0.0, t99 * (t64 * t13) * 6.2831855, t104);
-    let projected_above = select(0.0, t102, 9.403955e-38 < t102 && t104);
-    let projected_below = select(0.0, t103, 9.403955e-38 < t103 && t104);
+    let t110 = sqrt(t19);
+    let t111 = 1.0 / t110;
+    let radius_sin = t15 * t111;
+    let radius_cos = t79 * t111;
+    let elevation_sin = t74 * t111;
+    let elevation_cos = t81 * t111;
+    let t112 = abs(elevation_sin);
+    let climb = radius_sin * elevation_cos;
+    let rise = spherecap_max(t78 * (t111 * t111) / fma(radius_cos, t112, climb), -(radius_cos * t112));
+    let t113 = radius_sin * radius_sin;
+    let t114 = fma(t113 * t112, 3.1415927, area);
+    let t115 = 0.0 < elevation_sin;
+    let t116 = select(area, t114, t115);
+    let t117 = select(t114, area, t115);
+    let t118 = 9.8607613e-32 < t113;
+    let t119 = t118 && t80;
+    let t120 = 1.0 / t43;
+    let sideways_x = t40 * t120;
+    let sideways_y = t41 * t120;
+    let sideways_z = t42 * t120;
+    let on_surface = select(0.0, 1.0, t32);
+    let distance = t110 * select(unscale, 1.0, t10);
+    let projected_above = select(0.0, t116, 9.403955e-38 < t116 && t119);
+    let projected_below = select(0.0, t117, 9.403955e-38 < t117 && t119);
+    let t121 = 0.0 < tau;
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
     let inv_below = select(0.0, 1.0 / projected_below, 0.0 < projected_below);
-    let t105 = 0.0 < inv_above + inv_below;
-    let t106 = 0.0 < elevation_sin;
-    let t107 = select(inv_below, inv_above, t106);
-    let t108 = select(select(0.0, 1.0, 0.0 < defensive || !t48), defensive, t105);
-    let t109 = 0.0 < tau;
-    let t110 = t109 && 0.0 < t107;
-    let t111 = t_y * t_y * t_y * shape * t107;
-    let t112 = t_y * inv_radius_sin;
+    let t122 = 0.0 < inv_above + inv_below;
+    let t123 = select(inv_below, inv_above, t115);
+    let t124 = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t122);
+    let t125 = t121 && 0.0 < t123;
+    let t126 = t_y * t_y * t_y * shape * t123;
+    let t127 = t_y / radius_sin;
+    let t128 = fma(cut - t_x, shape_difference, shape);
     var coefficients_0 = 0.0;
     var coefficients_1 = 0.0;
     var coefficients_2 = 0.0;
@@ -1245,92 +1383,100 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     var coefficients_4 = 0.0;
     var coefficients_5 = 0.0;
     var coefficients_6 = 0.0;
-    var t113 = 0.0;
-    if (t109) {
-        let t114 = 1.0 + kappa;
-        let t115 = t114 * shape;
-        let t116 = 1.0 / (norm * t115);
-        let t117 = sqrt(t116);
-        let t118 = norm * t117;
-        let t119 = (t_x + kappa) * inv_cut_1 - 0.5;
-        let t120 = t119 * t119;
-        let t121 = fma(fma(fma(-0.026061837, t120, -0.06372378), t120, -0.11762552), t120, -0.23594604);
-        let t122 = fma(fma(fma(0.05430631, t120, 0.080950715), t120, 0.1684019), t120, 0.32709444);
-        let t123 = fma(fma(fma(t121, t120, -0.44721135), t120, -0.7754678), t119, fma(fma(t122, t120, 0.5987523), t120, 0.94559944));
-        let t124 = t114 * t123 * (inv_cut_1 * inv_cut_1 * inv_cut_1) * (t115 * t116);
-        let t125 = fma(t124, t115 * t117, -1.0);
-        let t126 = 1.0 - t124;
-        let t127 = fma(fma(30.011856, t125, fma(-41.541264, t126, -37.009792)), t125, fma(77.96775, t126, 7.470758));
-        let t128 = fma(fma(fma(fma(15.716111, t126, 0.0), t126, 9.961183), t126, -2.61785), t126, 0.8681748);
-        let t129 = fma(fma(t127, t125, fma(fma(-49.13454, t126, -9.466533), t126, -1.5877596)), t125, t128);
-        let t130 = t125 * t129;
-        let t131 = fma(fma(7.295638, t125, -7.236236), t125, fma(fma(fma(-11.4868555, t126, 0.0), t126, 0.0), t126, 3.1255686));
-        let t132 = fma(fma(fma(13.728438, t126, -7.981878), t126, 2.025724), t126, -0.7334958);
-        let t133 = t125 * fma(t131, t125, t132);
-        let t134 = fma(fma(-23.220068, t126, 7.332055), t125, fma(fma(fma(9.986537, t126, 25.22195), t126, 0.0), t126, -2.9581387));
-        let t135 = fma(fma(fma(-19.722994, t126, 4.6594768), t126, -0.89538246), t126, 0.5143498);
-        let t136 = t125 * fma(t134, t125, t135);
-        let t137 = fma(fma(fma(1.946617, t125, -3.077631), t125, 1.4945927), t125, -0.24140751);
-        let t138 = t125 * t137;
-        let t139 = t125 * fma(fma(0.38173297, t125, -0.30305624), t125, 0.05897375);
-        let t140 = 1.0 / (elevation_cos * elevation_cos);
-        let t141 = tau * tau;
-        let t142 = t141 * t140 / (1.0 + t_x);
-        let t143 = kappa - 0.5;
-        let t144 = cut - 0.5;
-        let t145 = t143 * t143;
-        let t146 = t144 * t144;
-        let t147 = fma(0.05430631, t145, 0.080950715);
-        let t148 = fma(t147, t145, 0.1684019);
-        let t149 = fma(t148, t145, 0.32709444);
-        let t150 = fma(fma(fma(fma(0.05430631, t146, t147), t146, t148), t146, t149), t146, fma(t149, t145, 0.5987523));
-        let t151 = fma(-0.026061837, t145, -0.06372378);
-        let t152 = fma(t151, t145, -0.11762552);
-        let t153 = fma(t152, t145, -0.23594604);
-        let t154 = fma(t153, t145, -0.44721135);
-        let t155 = fma(fma(fma(fma(-0.026061837, t146, t151), t146, t152), t146, t153), t146, t154);
-        let t156 = fma(kappa * t142, fma(fma(t144, t155, t150), t143 + t144, fma(t154, t145, -0.7754678)), fma(shape_cut, t142 - kappa * kappa, kappa) * t140);
-        let t157 = spherecap_min(spherecap_max(t141 * tau * (radius_cos + 1.0) * t156 * 0.31830987, 0.0), 0.5);
-        coefficients_0 = t118;
-        coefficients_1 = t124 - t118 + t130;
-        coefficients_2 = t133 - t130;
-        coefficients_3 = t136 - t133;
-        coefficients_4 = t138 - t136;
-        coefficients_5 = t139 - t138;
-        coefficients_6 = -t139;
-        t113 = t157;
+    var t129 = 0.0;
+    if (t121) {
+        let t130 = 1.0 + kappa;
+        let t131 = t130 * shape;
+        let t132 = 1.0 / (norm * t131);
+        let t133 = sqrt(t132);
+        let t134 = norm * t133;
+        let t135 = 1.0 / (1.0 + cut);
+        let t136 = (t_x + kappa) * t135 - 0.5;
+        let t137 = t136 * t136;
+        let t138 = fma(fma(fma(-0.026061837, t137, -0.06372378), t137, -0.11762552), t137, -0.23594604);
+        let t139 = fma(fma(fma(0.05430631, t137, 0.080950715), t137, 0.1684019), t137, 0.32709444);
+        let t140 = fma(fma(fma(t138, t137, -0.44721135), t137, -0.7754678), t136, fma(fma(t139, t137, 0.5987523), t137, 0.94559944));
+        let t141 = t130 * t140 * (t135 * t135 * t135) * (t131 * t132);
+        let t142 = fma(t141, t131 * t133, -1.0);
+        let t143 = 1.0 - t141;
+        let t144 = fma(fma(30.011856, t142, fma(-41.541264, t143, -37.009792)), t142, fma(77.96775, t143, 7.470758));
+        let t145 = fma(fma(fma(fma(15.716111, t143, 0.0), t143, 9.961183), t143, -2.61785), t143, 0.8681748);
+        let t146 = fma(fma(t144, t142, fma(fma(-49.13454, t143, -9.466533), t143, -1.5877596)), t142, t145);
+        let t147 = t142 * t146;
+        let t148 = fma(fma(7.295638, t142, -7.236236), t142, fma(fma(fma(-11.4868555, t143, 0.0), t143, 0.0), t143, 3.1255686));
+        let t149 = fma(fma(fma(13.728438, t143, -7.981878), t143, 2.025724), t143, -0.7334958);
+        let t150 = t142 * fma(t148, t142, t149);
+        let t151 = fma(fma(-23.220068, t143, 7.332055), t142, fma(fma(fma(9.986537, t143, 25.22195), t143, 0.0), t143, -2.9581387));
+        let t152 = fma(fma(fma(-19.722994, t143, 4.6594768), t143, -0.89538246), t143, 0.5143498);
+        let t153 = t142 * fma(t151, t142, t152);
+        let t154 = fma(fma(fma(1.946617, t142, -3.077631), t142, 1.4945927), t142, -0.24140751);
+        let t155 = t142 * t154;
+        let t156 = t142 * fma(fma(0.38173297, t142, -0.30305624), t142, 0.05897375);
+        let t157 = 1.0 / (elevation_cos * elevation_cos);
+        let t158 = tau * tau;
+        let t159 = t158 * t157 / (1.0 + t_x);
+        let t160 = kappa - 0.5;
+        let t161 = cut - 0.5;
+        let t162 = t160 * t160;
+        let t163 = t161 * t161;
+        let t164 = fma(0.05430631, t162, 0.080950715);
+        let t165 = fma(t164, t162, 0.1684019);
+        let t166 = fma(t165, t162, 0.32709444);
+        let t167 = fma(fma(fma(fma(0.05430631, t163, t164), t163, t165), t163, t166), t163, fma(t166, t162, 0.5987523));
+        let t168 = fma(-0.026061837, t162, -0.06372378);
+        let t169 = fma(t168, t162, -0.11762552);
+        let t170 = fma(t169, t162, -0.23594604);
+        let t171 = fma(t170, t162, -0.44721135);
+        let t172 = fma(fma(fma(fma(-0.026061837, t163, t168), t163, t169), t163, t170), t163, t171);
+        let t173 = fma(kappa * t159, fma(fma(t161, t172, t167), t160 + t161, fma(t171, t162, -0.7754678)), fma(t128, t159 - kappa * kappa, kappa) * t157);
+        let t174 = spherecap_min(spherecap_max(t158 * tau * (radius_cos + 1.0) * t173 * 0.31830987, 0.0), 0.5);
+        coefficients_0 = t134;
+        coefficients_1 = t141 - t134 + t147;
+        coefficients_2 = t150 - t147;
+        coefficients_3 = t153 - t150;
+        coefficients_4 = t155 - t153;
+        coefficients_5 = t156 - t155;
+        coefficients_6 = -t156;
+        t129 = t174;
     }
-    let share_above = select(1.0, select(0.0, select(t113, 1.0 - t113, t106), 0.0 < inv_above), 0.0 < inv_below);
-    let t158 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38;
-    let t159 = t158 && (t105 || (0.0 < t108 && 0.0 < solid_angle));
+    let t175 = 0.0 < t124;
+    let t176 = select(0.0, t113 / (1.0 + radius_cos), t118 && 0.0 < radius_cos);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t176, 0.0 < t176), t175);
+    let share_above = select(1.0, select(0.0, select(t129, 1.0 - t129, t115), 0.0 < inv_above), 0.0 < inv_below);
+    let t177 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t122 || (t175 && 0.0 < inv_solid_angle));
     var light: spherecap_both_light;
-    light.is_sampled = t159;
-    light.solid_angle = select(0.0, solid_angle, t159);
-    light.projected_solid_angle = select(0.0, projected_above, t159);
-    light.frame_0 = vec3f(frame_0_x, frame_0_y, frame_0_z);
-    light.frame_1 = vec3f(fma(frame_0_y, frame_2_z, -(frame_0_z * frame_2_y)), fma(frame_0_z, frame_2_x, -(frame_0_x * frame_2_z)), fma(frame_0_x, frame_2_y, -(frame_0_y * frame_2_x)));
-    light.frame_2 = vec3f(frame_2_x, frame_2_y, frame_2_z);
+    light.is_sampled = t177;
+    light.solid_angle = select(0.0, t176 * 6.2831855, t177);
+    light.projected_solid_angle = select(0.0, projected_above, t177);
+    light.towards_centre = vec3f(t12 * t111, t13 * t111, t14 * t111);
+    light.sideways = vec3f(sideways_x, sideways_y, sideways_z);
     light.normal = vec3f(normal_x, normal_y, normal_z);
+    light.up = vec3f(up_x, up_y, up_z);
+    light.on_surface = on_surface;
     light.distance = distance;
     light.radius_sin = radius_sin;
-    light.inv_radius_sin = inv_radius_sin;
     light.radius_cos = radius_cos;
     light.elevation_sin = elevation_sin;
     light.elevation_cos = elevation_cos;
-    light.inv_solid_angle = select(0.0, t63 * (inv_radius_sin * inv_radius_sin) * 0.15915494, t104);
-    light.kappa = kappa;
     light.tau = tau;
+    light.kappa = kappa;
     light.width = width;
     light.cut = cut;
-    light.rise = spherecap_max(t47 * (t30 * t30) * t72, -(radius_cos * t68));
-    light.defensive = t108;
+    light.rise = rise;
+    light.defensive = t124;
     light.requested = defensive;
     light.inv_above = inv_above;
     light.inv_below = inv_below;
     light.share_above = share_above;
-    light.crescent_share = select(0.0, t111, t110);
-    light.inv_rest = select(1.0, 1.0 / (1.0 - t111), t110);
-    light.beyond = select(0.0, t112 * t112 * t112 * shape_cut, t110);
+    light.third_axis = vec3f(fma(sideways_y, up_z, -(sideways_z * up_y)), fma(sideways_z, up_x, -(sideways_x * up_z)), fma(sideways_x, up_y, -(sideways_y * up_x)));
+    light.height = select(0.0, t176, t175);
+    light.inv_solid_angle = inv_solid_angle;
+    light.crescent_share = select(0.0, t126, t125);
+    light.inv_rest = select(1.0, 1.0 / (1.0 - t126), t125);
+    light.beyond = select(0.0, t127 * t127 * t127 * t128, t125);
+    light.middle = elevation_cos * radius_cos;
+    light.half_axis = radius_sin * t112;
+    light.climb = climb;
     light.coefficients_0 = coefficients_0;
     light.coefficients_1 = coefficients_1;
     light.coefficients_2 = coefficients_2;
@@ -1347,160 +1493,157 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     }
     let t1 = abs(light.elevation_sin);
     let t2 = 0.0 < light.elevation_sin;
-    let t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
-    let t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
-    let t5 = t3 < light.defensive;
-    let t6 = 1.0 - light.defensive;
-    let t7 = spherecap_max(select(t3 - light.defensive, t3, t5) / select(t6, light.defensive, t5), 5.9604645e-8);
-    let t8 = select(t3, spherecap_min(t7, 0.99999994), 0.0 < light.requested);
-    let t9 = t5 || t8 < light.share_above;
-    let t10 = 1.0 - light.share_above;
-    let t11 = select(t8 - light.share_above, t8, t9) / select(t10, light.share_above, t9);
-    let t12 = (t9 && t2) || (!t9 && !t2);
-    let t13 = select(spherecap_min(spherecap_max(t11, 5.9604645e-8), 0.99999994), t8, t5);
-    let t14 = t5 || (t12 && light.crescent_share <= t13);
-    let t15 = 1.0 - t4;
-    let t16 = t4 - t15;
-    let t17 = 4.0 * t4 * t15;
-    var t18 = 0.0;
-    var t19 = 0.0;
+    let t3 = 0.0 < light.defensive;
+    let t4 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
+    let t5 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
+    let t6 = t3 && t4 < light.defensive;
+    let t7 = 1.0 - light.defensive;
+    let t8 = spherecap_max(select(t4 - light.defensive, t4, t6) / select(t7, light.defensive, t6), 5.9604645e-8);
+    let t9 = select(t4, spherecap_min(t8, 0.99999994), 0.0 < light.requested);
+    let t10 = t6 || t9 < light.share_above;
+    let t11 = 1.0 - light.share_above;
+    let t12 = select(t9 - light.share_above, t9, t10) / select(t11, light.share_above, t10);
+    let t13 = select(spherecap_min(spherecap_max(t12, 5.9604645e-8), 0.99999994), t9, t6);
+    let t14 = t6 || !(0.0 < light.tau);
+    let t15 = !t14 && !((t10 && t2) || (!t10 && !t2));
+    let t16 = t14 || (!t15 && light.crescent_share <= t13);
+    let t17 = 1.0 - t5;
+    let t18 = t5 - t17;
+    let t19 = 4.0 * t5 * t17;
     var t20 = 0.0;
     var t21 = 0.0;
-    if (t14) {
-        let t22 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        let t23 = select(spherecap_min(t22, 0.99999994), t13, t5);
-        let t24 = select(light.beyond, 0.0, t5);
-        let t25 = 3.1415927 - t24;
-        let t26 = fma(t23, t25, t24);
-        let t27 = (1.0 - t23) * t25;
-        t18 = spherecap_min(t26, t27) * 0.53033006;
-        t19 = 1.0;
-        t20 = 1.0;
-        t21 = t26 - t27;
+    var t22 = 0.0;
+    var t23 = 0.0;
+    if (t16) {
+        let t24 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+        let t25 = select(spherecap_min(t24, 0.99999994), t13, t14);
+        let t26 = select(light.beyond, 0.0, t14);
+        let t27 = 3.1415927 - t26;
+        let t28 = fma(t25, t27, t26);
+        let t29 = (1.0 - t25) * t27;
+        t20 = spherecap_min(t28, t29) * 0.53033006;
+        t21 = 1.0;
+        t22 = 1.0;
+        t23 = t28 - t29;
     } else {
-        let t28 = sqrt(t17);
-        var t29 = 0.0;
-        var t30 = 0.0;
-        var t31 = 0.0;
-        var t32 = 0.0;
-        if (t12) {
-            t29 = t28;
-            t30 = 1.0;
-            t31 = t13;
-            t32 = light.crescent_share;
-        } else {
-            let t33 = fma(fma(light.coefficients_6, t17, light.coefficients_4), t17, light.coefficients_2);
-            let t34 = fma(fma(light.coefficients_5, t17, light.coefficients_3), t17, light.coefficients_1);
-            let t35 = t28 * fma(t34, t28, fma(t33, t17, light.coefficients_0));
-            let t36 = sqrt(fma(t16, t16, t35 * t35));
-            let t37 = light.tau * t35;
-            t29 = t37;
-            t30 = fma(t16, t16, t37 * t37);
-            t31 = light.width;
-            t32 = fma(light.kappa, t35, t36) * fma(light.cut, t35, t36);
-        }
-        let t38 = t31 / t32;
-        let t39 = select(t13, spherecap_min(spherecap_max(t38, 5.9604645e-8), 0.99999994), t12);
-        let t40 = select(t38, light.width, t12);
-        let t41 = t30 * t40;
+        let t30 = sqrt(t19);
+        let t31 = fma(fma(light.coefficients_6, t19, light.coefficients_4), t19, light.coefficients_2);
+        let t32 = fma(fma(light.coefficients_5, t19, light.coefficients_3), t19, light.coefficients_1);
+        let t33 = t30 * fma(t32, t30, fma(t31, t19, light.coefficients_0));
+        let t34 = sqrt(fma(t18, t18, t33 * t33));
+        let t35 = light.tau * t33;
+        let t36 = select(1.0, fma(t18, t18, t35 * t35), t15);
+        let t37 = select(light.crescent_share, fma(light.kappa, t33, t34) * fma(light.cut, t33, t34), t15);
+        let t38 = select(t13, light.width, t15) / t37;
+        let t39 = select(spherecap_min(spherecap_max(t38, 5.9604645e-8), 0.99999994), t13, t15);
+        let t40 = select(light.width, t38, t15);
+        let t41 = t36 * t40;
         let t42 = t41 * t41;
         let t43 = fma(fma(fma(-0.00060778117, t42, -0.0027203285), t42, -0.10000902), t41, fma(fma(1.0676054e-5, t42, -0.011332183), t42, 1.0000001));
-        t18 = t39;
-        t19 = t40 * t43;
-        t20 = t30;
-        t21 = t29;
+        t20 = t39;
+        t21 = t40 * t43;
+        t22 = t36;
+        t23 = select(t30, t35, t15);
     }
-    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t18), -0.33333334, 1419900500.0));
-    let t45 = fma(-(t18 * t44), t44 * t44, 1.0);
+    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t20), -0.33333334, 1419900500.0));
+    let t45 = fma(-(t20 * t44), t44 * t44, 1.0);
     let t46 = t45 * t45;
     let t47 = fma(fma(fma(0.110958695, t46, 0.14403293), t46, 0.22222222), t45, fma(fma(0.12482853, t46, 0.17283951), t46, 0.33333334));
-    let t48 = t19 * (t18 * fma(t44, t45 * t47, t44));
-    let t49 = t48 * t20;
+    let t48 = t21 * (t20 * fma(t44, t45 * t47, t44));
+    let t49 = t48 * t22;
     let t50 = t49 * t49;
     let t51 = fma(fma(fma(-0.063446075, t50, -0.056249518), t50, 0.0074712755), t50, 0.09996679);
     let t52 = fma(fma(fma(0.022114987, t50, 0.085662976), t50, 0.030445365), t50, 0.03209764);
     let t53 = t48 * fma(t51, t49, fma(t52, t50, 1.0000004));
-    let t54 = select(t53, spherecap_min(t53, 1.0), t14);
-    let t55 = t20 * t54;
+    let t54 = select(t53, spherecap_min(t53, 1.0), t16);
+    let t55 = t22 * t54;
     let t56 = 2.0 - t55;
     let t57 = t54 * t56;
     let t58 = sqrt(t57);
     var t59 = 0.0;
-    var side = 0.0;
     var t60 = 0.0;
-    if (t14) {
-        let t61 = select(t56, t55, t21 < 0.0);
-        var t62 = 0.0;
-        var t63 = 0.0;
-        var t64 = 0.0;
-        if (t5) {
-            let t65 = light.solid_angle * 0.15915494;
-            let t66 = t65 * (1.0 - t57 * t17);
-            let t67 = sqrt(t65 * (2.0 - t66));
-            let t68 = (t61 - 1.0) * t67;
-            t62 = t68;
-            t63 = t58 * t16 * t67;
-            t64 = fma(light.elevation_sin, 1.0 - t66, light.elevation_cos * t68);
+    var t61 = 0.0;
+    var side = 0.0;
+    var t62 = 0.0;
+    if (t16) {
+        let t63 = select(t56, t55, t23 < 0.0);
+        let t64 = t57 * t19;
+        var t65 = 0.0;
+        var t66 = 0.0;
+        var t67 = 0.0;
+        var t68 = 0.0;
+        var t69 = 0.0;
+        if (t6) {
+            let t70 = light.height * (1.0 - t64);
+            let t71 = sqrt(light.height * (2.0 - t70));
+            let t72 = (t63 - 1.0) * t71;
+            let t73 = 1.0 - t70;
+            let t74 = fma(light.elevation_sin, t73, light.elevation_cos * t72);
+            t65 = fma(light.elevation_cos, t73, -(light.elevation_sin * t72));
+            t66 = t74;
+            t67 = t72;
+            t68 = t58 * t18 * t71;
+            t69 = t74 * light.on_surface;
         } else {
-            let t69 = light.radius_sin * light.elevation_cos;
-            let t70 = 1.0 - t61;
-            let t71 = t57 * t17;
-            let t72 = spherecap_max(fma(t69, t61, -light.rise), 0.0);
-            let t73 = sqrt(fma(t72, t72, light.radius_sin * light.radius_sin * t71));
-            let t74 = t1 * light.radius_cos;
-            let t75 = fma(light.elevation_cos * t70, fma(t69, t70, -2.0 * t74), light.radius_sin * t71);
-            let t76 = light.radius_sin * fma(light.elevation_cos, t75 / (t73 + t74), -(t1 * t1 * t70));
-            t62 = t76;
-            t63 = light.radius_sin * t58 * t16;
-            t64 = t73;
+            let t75 = 1.0 - t63;
+            let t76 = spherecap_max(fma(light.climb, t63, -light.rise), 0.0);
+            let t77 = sqrt(fma(t76, t76, light.radius_sin * light.radius_sin * t64));
+            let t78 = t1 * light.radius_cos;
+            let t79 = fma(light.elevation_cos * t75, fma(light.climb, t75, -2.0 * t78), light.radius_sin * t64);
+            let t80 = light.radius_sin * fma(light.elevation_cos, t79 / (t77 + t78), -(t1 * t1 * t75));
+            t65 = fma(light.half_axis, t75, light.middle);
+            t66 = t77;
+            t67 = t80;
+            t68 = light.radius_sin * t58 * t18;
+            t69 = t77;
         }
-        t59 = t62;
-        side = t63;
-        t60 = t64;
+        t59 = t65;
+        t60 = t66;
+        t61 = t67;
+        side = t68;
+        t62 = t69;
     } else {
-        let t77 = t58 * t21;
-        t59 = fma(light.elevation_cos, t77, -(select(-t1, t1, t12) * (1.0 - t55)));
-        side = t58 * t16;
-        t60 = t77;
+        let t81 = t58 * t23;
+        let t82 = 1.0 - t55;
+        t59 = t82;
+        t60 = t81;
+        t61 = fma(light.elevation_cos, t81, -(select(t1, -t1, t15) * t82));
+        side = t58 * t18;
+        t62 = t81;
     }
-    let t78 = select(-1.0, 1.0, t9);
-    let zenith = t59 * t78;
-    let cosine = t60 * t78;
-    let t79 = spherecap_min(abs(cosine), 3.4028235e38);
-    let t80 = select(select(0.0, light.inv_below * t10, cosine < 0.0), light.inv_above * light.share_above, 0.0 < cosine);
-    var t81 = 0.0;
-    var t82 = 0.0;
-    if (0.0 < light.defensive) {
-        let t83 = light.defensive * light.inv_solid_angle;
-        let t84 = fma(t80, t6, spherecap_min(t83 / spherecap_max(t79, 1.1754944e-38), 3.4028235e38));
-        t81 = fma(t80, t6 * t79, t83);
-        t82 = spherecap_min(t84, 3.4028235e38);
-    } else {
-        t81 = t80 * t79;
-        t82 = t80;
-    }
-    let t85 = fma(zenith, zenith, side * side);
-    let t86 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t85), 0.0);
-    let t87 = sqrt(t86);
-    let t88 = sqrt(fma(light.radius_cos, light.radius_cos, t86));
-    let t89 = light.radius_cos * light.radius_cos / (t88 + t87);
-    let t90 = fma(light.frame_0.x, t88, fma(light.frame_1.x, zenith, light.frame_2.x * side));
-    let t91 = fma(light.frame_0.y, t88, fma(light.frame_1.y, zenith, light.frame_2.y * side));
-    let t92 = fma(light.frame_0.z, t88, fma(light.frame_1.z, zenith, light.frame_2.z * side));
-    let t93 = t89 * light.inv_radius_sin;
-    let t94 = -fma(t88, t87, t85) * light.inv_radius_sin;
-    let t95 = t93 * zenith;
-    let t96 = t93 * side;
-    let t97 = fma(light.frame_0.x, t94, fma(light.frame_1.x, t95, light.frame_2.x * t96));
-    let t98 = fma(light.frame_0.y, t94, fma(light.frame_1.y, t95, light.frame_2.y * t96));
-    let t99 = fma(light.frame_0.z, t94, fma(light.frame_1.z, t95, light.frame_2.z * t96));
+    let t83 = select(-1.0, 1.0, t10);
+    let zenith = t61 * t83;
+    let cosine = t62 * t83;
+    let t84 = t60 * t83;
+    let t85 = spherecap_min(abs(cosine), 3.4028235e38);
+    let t86 = select(select(0.0, light.inv_below * t11, cosine < 0.0), light.inv_above * light.share_above, 0.0 < cosine);
+    let t87 = light.defensive * light.inv_solid_angle;
+    let t88 = fma(t86, t7, spherecap_min(t87 / spherecap_max(t85, 1.1754944e-38), 3.4028235e38));
+    let t89 = fma(zenith, zenith, side * side);
+    let t90 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t89), 0.0);
+    let t91 = sqrt(t90);
+    let t92 = sqrt(fma(light.radius_cos, light.radius_cos, t90));
+    let t93 = light.radius_cos * light.radius_cos / (t92 + t91);
+    let t94 = 1.0 / light.radius_sin;
+    let t95 = t93 * t94;
+    let t96 = -fma(t92, t91, t89) * t94;
+    let t97 = t95 * zenith;
+    let t98 = t95 * side;
+    let t99 = fma(light.third_axis.x, t59, fma(light.sideways.x, side, light.up.x * t84));
+    let t100 = fma(light.third_axis.y, t59, fma(light.sideways.y, side, light.up.y * t84));
+    let t101 = fma(light.third_axis.z, t59, fma(light.sideways.z, side, light.up.z * t84));
+    let t102 = fma(light.elevation_cos, t96, -(light.elevation_sin * t97));
+    let t103 = fma(light.elevation_sin, t96, light.elevation_cos * t97);
+    let t104 = fma(light.third_axis.x, t102, fma(light.sideways.x, t98, light.up.x * t103));
+    let t105 = fma(light.third_axis.y, t102, fma(light.sideways.y, t98, light.up.y * t103));
+    let t106 = fma(light.third_axis.z, t102, fma(light.sideways.z, t98, light.up.z * t103));
     var sampled: spherecap_sample;
-    sampled.direction = vec3f(t90, t91, t92);
-    sampled.distance = t89 * light.distance;
-    sampled.normal = vec3f(t97, t98, t99);
+    sampled.direction = vec3f(t99, t100, t101);
+    sampled.distance = t93 * light.distance;
+    sampled.normal = vec3f(t104, t105, t106);
     sampled.cosine = cosine;
-    sampled.pdf = t81;
-    sampled.projected_pdf = t82;
+    sampled.pdf = select(t86 * t85, fma(t86, t7 * t85, t87), t3);
+    sampled.projected_pdf = select(t86, spherecap_min(t88, 3.4028235e38), t3);
     return sampled;
 }
 
@@ -1512,19 +1655,21 @@ fn spherecap_both_pdf_direction(light: spherecap_both_light, direction: vec3f) -
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.frame_0.x, direction.x, fma(light.frame_0.y, direction.y, light.frame_0.z * direction.z));
-    let t2 = fma(light.frame_1.x, direction.x, fma(light.frame_1.y, direction.y, light.frame_1.z * direction.z));
-    let t3 = fma(light.frame_2.x, direction.x, fma(light.frame_2.y, direction.y, light.frame_2.z * direction.z));
-    let t4 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t5 = t1 < 0.0;
-    let t6 = select(t2, 1.0, t5);
-    let t7 = select(t3, 1.0, t5);
-    let t8 = spherecap_min(abs(t4), 3.4028235e38);
-    let t9 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t4 < 0.0), light.inv_above * light.share_above, 0.0 < t4);
-    let t10 = fma(t9, (1.0 - light.defensive) * t8, light.defensive * light.inv_solid_angle);
-    let t11 = select(0.0, select(t9 * t8, t10, 0.0 < light.defensive), fma(t6, t6, t7 * t7) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t12 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    return select(0.0, t11, 0.998001 <= t12 && t12 <= 1.002001);
+    let t1 = fma(light.towards_centre.y, direction.y, light.towards_centre.z * direction.z);
+    let t2 = fma(light.towards_centre.y, light.sideways.z, -(light.towards_centre.z * light.sideways.y));
+    let t3 = fma(light.towards_centre.z, light.sideways.x, -(light.towards_centre.x * light.sideways.z));
+    let t4 = fma(light.towards_centre.x, light.sideways.y, -(light.towards_centre.y * light.sideways.x));
+    let t5 = fma(light.sideways.x, direction.x, fma(light.sideways.y, direction.y, light.sideways.z * direction.z));
+    let t6 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
+    let t7 = fma(light.towards_centre.x, direction.x, t1) < 0.0;
+    let t8 = select(fma(t2, direction.x, fma(t3, direction.y, t4 * direction.z)), 1.0, t7);
+    let t9 = select(t5, 1.0, t7);
+    let t10 = spherecap_min(abs(t6), 3.4028235e38);
+    let t11 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t6 < 0.0), light.inv_above * light.share_above, 0.0 < t6);
+    let t12 = fma(t11, (1.0 - light.defensive) * t10, light.defensive * light.inv_solid_angle);
+    let t13 = select(0.0, select(t11 * t10, t12, 0.0 < light.defensive), fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t14 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
+    return select(0.0, t13, 0.998001 <= t14 && t14 <= 1.002001);
 }
 
 fn spherecap_both_pdf_on_sphere(light: spherecap_both_light, direction: vec3f) -> f32 {

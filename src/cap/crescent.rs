@@ -4,7 +4,7 @@
 //! the chord `x = t_x` cuts off the unit disk has the area `t_y^3 H(t_x)`, and the one it cuts off the ellipse
 //! `s^2 |Z| (t_y/s)^3 H(e) = kappa t_y^3 H(e)` with `e = kappa t_x`. Their difference is
 //! `t_y^3 (H(t) - kappa H(e)) = t_y^3 (1 - kappa) (H(t) + e H[t, e])`, where the divided difference `H[t, e]` takes the place
-//! of the cancellation. Measured against 25-digit values: see `tests/reference.rs`.
+//! of the cancellation. Measured against 25-digit values: see `tests/kernels/reference.rs`.
 
 use super::horizon::Horizon;
 use super::sphere::Sphere;

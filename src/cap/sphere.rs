@@ -46,7 +46,7 @@ impl<L: Lane> Sphere<L> {
             gap.lt(distance2 * lit(NEAR)),
             {
                 let distance2 = dot(c, c);
-                (distance2.hi, (-r).fma(r, distance2.hi) + distance2.lo)
+                (distance2.hi, (-r).fma(r, distance2.hi).rounded() + distance2.lo)
             },
             (distance2, gap)
         );

@@ -218,7 +218,7 @@ mod tests {
     }
 
     /// Along a slice all 2^24 numbers give heights over the horizon that are finite, monotone and not above the cap's top; and
-    /// the f64 inverse gives back every 1024th, to what rounding of the offset makes of it: 5e-6 (`tests/properties.rs`).
+    /// the f64 inverse gives back every 1024th, to what rounding of the offset makes of it: 5e-6 (`tests/kernels/properties.rs`).
     fn check(s: f64, kappa: f64) {
         let (single, double) = (sampler::<f32>(s, kappa), sampler::<f64>(s, kappa));
         let mut worst = 0.0_f64;

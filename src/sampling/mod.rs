@@ -730,7 +730,7 @@ impl<L: Lane> Sampler<L> {
     ///
     /// To 84 epsilon (1e-5 in f32) but for what three numbers of this precision cannot tell: at the ends of u0 where the
     /// centre's side is sampled, chords get short, and u1 is a ratio of lengths; where the horizon leaves little of the
-    /// ellipse (small Z/s), and on spheres nearly touched (`v` and `|Z|` both small). `tests/properties.rs` has the bound.
+    /// ellipse (small Z/s), and on spheres nearly touched (`v` and `|Z|` both small). `tests/kernels/properties.rs` has the bound.
     ///
     /// ```
     /// # use spherecap::{Receiver, Sampler};
