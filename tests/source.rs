@@ -2,6 +2,7 @@
 //!
 //! What shaders give is held to the library by `make test-shaders`.
 
+#[allow(dead_code)] // the kernels' tests use all of it
 mod common;
 
 use common::{dot, Random};
