@@ -139,12 +139,14 @@ impl Shares {
         Self { scale, even }
     }
 
+    /// The share of a light: 0 where its probability, in single precision, would be, so that none is chosen with a density of 0.
     fn of(&self, importance: f32) -> f64 {
         let weight = f64::from(weight(importance));
-        if weight == 0.0 {
+        let share = if weight == 0.0 { 0.0 } else { weight * self.scale + self.even };
+        if share as f32 == 0.0 {
             0.0
         } else {
-            weight * self.scale + self.even
+            share
         }
     }
 }

@@ -11,13 +11,13 @@
 //! let (floor, point) = (Receiver::new([0.0, 0.0, 1.0]), [0.5, 0.0, 0.0]);
 //! let mut importances = [0.0; 3];
 //! let total = lights.importances(floor, point, &mut importances)?;
-//! let choice = total.choose(&importances, 0.02, 0.4);
+//! let choice = total.choose(&importances, 0.05, 0.4);
 //! let i = choice.index;
 //! let centre = [x[i] - point[0], y[i] - point[1], z[i] - point[2]];
 //! let sample = Sampler::prepare(floor, centre, radius[i])?.sample(choice.rest, 0.7);
 //! // The density of this light's direction; that of any other light costs no more loop.
 //! let density = choice.probability * sample.density.solid_angle;
-//! assert_eq!(choice.probability, total.probability(importances[i], 0.02));
+//! assert_eq!(choice.probability, total.probability(importances[i], 0.05));
 //!
 //! // Nothing is hidden here, and the estimate of the irradiance is all but free of noise.
 //! let estimate = strength[i] * sample.offset.cosine / density;

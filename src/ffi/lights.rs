@@ -133,7 +133,7 @@ pub unsafe extern "C" fn spherecap_total(
 /// Chooses one of `count` lights in proportion to their importances, of which `total` is the total, by one random number `u` in
 /// [0, 1]. (A number outside is taken for the nearer end, and NaN for 0.) Each light has one interval of it, so strata
 /// survive. `even`, in [0, 1], is the fraction of the probability that is spread evenly over all importances that are not 0, for
-/// where the bright lights are hidden: 0.02 costs little.
+/// where the bright lights are hidden: 0.05 costs little.
 ///
 /// Stores the choice; if nothing is lit, or there is nothing to choose from, zeros: a probability of 0, and the status is OK.
 ///

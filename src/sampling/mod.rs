@@ -426,26 +426,24 @@ impl<L: Lane> Sampler<L> {
     fn sample_with(&self, technique: Technique, case: Case<L::Mask>, u0: L, u1: L) -> Sample<L> {
         let (u0, u1) = (interior(u0), interior(u1));
         let is_mixed = is_mixed(technique, self.defensive);
-        knowing!(L, is_mixed => {
-            let Place { along, up, offset } = match technique {
-                Technique::SolidAngle => {
-                    let (along, offset) = self.whole.place(&self.cap, square_to_disk(u0, u1));
-                    Place { along, up: offset.zenith, offset }
-                }
-                _ => self.sample_mixture(technique, is_mixed, case, u0, u1),
-            };
-            let density = self.density(technique, is_mixed, offset);
-            let (centre, distance, normal) = self.cap.hit(offset);
-            let direction = if follows_surface::<L>(technique) || technique == Technique::SolidAngle {
-                self.vector(technique, along, offset.side, up)
-            } else {
-                self.vector(technique, centre, offset.side, offset.zenith)
-            };
-            let [centre, zenith, side] = normal;
-            let [along, up] = self.along_and_up(technique, centre, zenith);
-            let normal = self.vector(technique, along, side, up);
-            Sample { offset, direction, distance: distance * self.cap.distance, normal, density }
-        })
+        let Place { along, up, offset } = match technique {
+            Technique::SolidAngle => {
+                let (along, offset) = self.whole.place(&self.cap, square_to_disk(u0, u1));
+                Place { along, up: offset.zenith, offset }
+            }
+            _ => self.sample_mixture(technique, is_mixed, case, u0, u1),
+        };
+        let density = self.density(technique, is_mixed, offset);
+        let (centre, distance, normal) = self.cap.hit(offset);
+        let direction = if follows_surface::<L>(technique) || technique == Technique::SolidAngle {
+            self.vector(technique, along, offset.side, up)
+        } else {
+            self.vector(technique, centre, offset.side, offset.zenith)
+        };
+        let [centre, zenith, side] = normal;
+        let [along, up] = self.along_and_up(technique, centre, zenith);
+        let normal = self.vector(technique, along, side, up);
+        Sample { offset, direction, distance: distance * self.cap.distance, normal, density }
     }
 
     /// The vector with these components on the sampler's axes.

@@ -369,10 +369,7 @@ static uint32_t use_lights(unsigned long *chosen) {
         CHECK(choice->index < count && is_in_unit_interval(choice->rest));
         const float importance = importances[first + choice->index];
         CHECK(importance > 0.0f && choice->probability <= 1.0f + FLT_EPSILON);
-        // Zero only where no float is as small.
-        const double least =
-            (1.0 - (double)even) * (double)fminf(importance, ldexpf(1.0f, 95)) / (double)total->sum;
-        CHECK(0.0f < choice->probability || least + (double)even / total->lit < ldexp(1.0, -149));
+        CHECK(0.0f < choice->probability);
         CALL(status, probability, spherecap_choice_probability(importance, total, even, probability));
         CHECK(memcmp(probability, &choice->probability, sizeof *probability) == 0);
     }

@@ -170,8 +170,8 @@ def test_the_libraries_export_the_header_and_nothing_else(prefix: Path) -> None:
 def test_the_static_library_carries_what_it_uses(prefix: Path) -> None:
     """Kernels, and what of Rust's standard library prints the message of a panic.
 
-    Either is a quarter of a megabyte, and their relocations and names twice that. The whole standard
-    library, even without debug information and bitcode, is more than three megabytes.
+    The kernels are half a megabyte, that a quarter, and relocations and names as much again. The whole
+    standard library, even without debug information and bitcode, is more than three megabytes.
     """
     library = prefix / "lib/libspherecap.a"
     page = (REPOSITORY / "docs/c.md").read_text(encoding="utf-8")

@@ -72,7 +72,7 @@ def test_the_check_itself(library, tmp_path):
     ("ulps", "fewest", "most"),
     [
         # Divisions have two roundings, and products are fused: nothing else differs.
-        (0, 0.8, 0.95),
+        (0, 0.65, 0.95),
         # What NVIDIA documents for reciprocals and roots is 1 and 2 units; here all are off, by up to 2.
         (2, 0.05, 0.5),
     ],
