@@ -160,7 +160,7 @@ pub trait Lane:
     /// What a comparison gives.
     type Mask: Mask;
 
-    /// Whether what follows a long choice is written once for each of its sides, as for scalars, which take one of them (a mask is
+    /// Whether what follows a long choice is written once for each of its sides, as for `f32`, which takes one of them (a mask is
     /// true or false) and need not come back, or once for both, as for packets and recordings, which may take both. The results
     /// are the same.
     const FORKS: bool;
