@@ -65,8 +65,9 @@ test-rust: ## The library and its C ABI.
 
 prepare-test-python: build $(C_RENDERER) $(IRRADIANCE)
 
+# Several files at a time, as compiling kernels and starting programs leaves processors idle; more than four would want much memory.
 test-python: prepare-test-python ## The fits, the plugin and the renders.
-	PYTHONPATH=mitsuba_plugin $(BIN)/python -m pytest tests
+	PYTHONPATH=mitsuba_plugin $(BIN)/python -m pytest --numprocesses=auto --maxprocesses=4 --dist=loadfile tests
 
 lint: $(VENV)/installed doc ## Formatting and warnings, as errors.
 	cargo fmt --check -- tools/cross/irradiance.rs

@@ -569,7 +569,7 @@ struct spherecap_front_light {
     width: f32,
     cut: f32,
     rise: f32,
-    defensive: f32,
+    defensive_share: f32,
     requested: f32,
     inv_above: f32,
     third_axis: vec3f,
@@ -793,11 +793,11 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
     let t119 = 0.0 < inv_above;
     let t120 = select(0.0, inv_above, t114);
-    let t121 = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t119);
-    let t122 = t118 && t114 && 0.0 < t120;
-    let t123 = t_y * t_y * t_y * shape * t120;
-    let t124 = t_y / radius_sin;
-    let beyond = select(0.0, t124 * t124 * t124 * fma(cut - t_x, shape_difference, shape), t122);
+    let defensive_share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t119);
+    let t121 = t118 && t114 && 0.0 < t120;
+    let t122 = t_y * t_y * t_y * shape * t120;
+    let t123 = t_y / radius_sin;
+    let beyond = select(0.0, t123 * t123 * t123 * fma(cut - t_x, shape_difference, shape), t121);
     var coefficients_0 = 0.0;
     var coefficients_1 = 0.0;
     var coefficients_2 = 0.0;
@@ -806,49 +806,49 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     var coefficients_5 = 0.0;
     var coefficients_6 = 0.0;
     if (t118 && !t114) {
-        let t125 = 1.0 + kappa;
-        let t126 = t125 * shape;
-        let t127 = 1.0 / (norm * t126);
-        let t128 = sqrt(t127);
-        let t129 = norm * t128;
-        let t130 = 1.0 / (1.0 + cut);
-        let t131 = (t_x + kappa) * t130 - 0.5;
-        let t132 = t131 * t131;
-        let t133 = fma(fma(fma(-0.026061837, t132, -0.06372378), t132, -0.11762552), t132, -0.23594604);
-        let t134 = fma(fma(fma(0.05430631, t132, 0.080950715), t132, 0.1684019), t132, 0.32709444);
-        let t135 = fma(fma(fma(t133, t132, -0.44721135), t132, -0.7754678), t131, fma(fma(t134, t132, 0.5987523), t132, 0.94559944));
-        let t136 = t125 * t135 * (t130 * t130 * t130) * (t126 * t127);
-        let t137 = fma(t136, t126 * t128, -1.0);
-        let t138 = 1.0 - t136;
-        let t139 = fma(fma(30.011856, t137, fma(-41.541264, t138, -37.009792)), t137, fma(77.96775, t138, 7.470758));
-        let t140 = fma(fma(fma(fma(15.716111, t138, 0.0), t138, 9.961183), t138, -2.61785), t138, 0.8681748);
-        let t141 = fma(fma(t139, t137, fma(fma(-49.13454, t138, -9.466533), t138, -1.5877596)), t137, t140);
-        let t142 = t137 * t141;
-        let t143 = fma(fma(7.295638, t137, -7.236236), t137, fma(fma(fma(-11.4868555, t138, 0.0), t138, 0.0), t138, 3.1255686));
-        let t144 = fma(fma(fma(13.728438, t138, -7.981878), t138, 2.025724), t138, -0.7334958);
-        let t145 = t137 * fma(t143, t137, t144);
-        let t146 = fma(fma(-23.220068, t138, 7.332055), t137, fma(fma(fma(9.986537, t138, 25.22195), t138, 0.0), t138, -2.9581387));
-        let t147 = fma(fma(fma(-19.722994, t138, 4.6594768), t138, -0.89538246), t138, 0.5143498);
-        let t148 = t137 * fma(t146, t137, t147);
-        let t149 = fma(fma(fma(1.946617, t137, -3.077631), t137, 1.4945927), t137, -0.24140751);
-        let t150 = t137 * t149;
-        let t151 = t137 * fma(fma(0.38173297, t137, -0.30305624), t137, 0.05897375);
-        coefficients_0 = t129;
-        coefficients_1 = t136 - t129 + t142;
-        coefficients_2 = t145 - t142;
-        coefficients_3 = t148 - t145;
-        coefficients_4 = t150 - t148;
-        coefficients_5 = t151 - t150;
-        coefficients_6 = -t151;
+        let t124 = 1.0 + kappa;
+        let t125 = t124 * shape;
+        let t126 = 1.0 / (norm * t125);
+        let t127 = sqrt(t126);
+        let t128 = norm * t127;
+        let t129 = 1.0 / (1.0 + cut);
+        let t130 = (t_x + kappa) * t129 - 0.5;
+        let t131 = t130 * t130;
+        let t132 = fma(fma(fma(-0.026061837, t131, -0.06372378), t131, -0.11762552), t131, -0.23594604);
+        let t133 = fma(fma(fma(0.05430631, t131, 0.080950715), t131, 0.1684019), t131, 0.32709444);
+        let t134 = fma(fma(fma(t132, t131, -0.44721135), t131, -0.7754678), t130, fma(fma(t133, t131, 0.5987523), t131, 0.94559944));
+        let t135 = t124 * t134 * (t129 * t129 * t129) * (t125 * t126);
+        let t136 = fma(t135, t125 * t127, -1.0);
+        let t137 = 1.0 - t135;
+        let t138 = fma(fma(30.011856, t136, fma(-41.541264, t137, -37.009792)), t136, fma(77.96775, t137, 7.470758));
+        let t139 = fma(fma(fma(fma(15.716111, t137, 0.0), t137, 9.961183), t137, -2.61785), t137, 0.8681748);
+        let t140 = fma(fma(t138, t136, fma(fma(-49.13454, t137, -9.466533), t137, -1.5877596)), t136, t139);
+        let t141 = t136 * t140;
+        let t142 = fma(fma(7.295638, t136, -7.236236), t136, fma(fma(fma(-11.4868555, t137, 0.0), t137, 0.0), t137, 3.1255686));
+        let t143 = fma(fma(fma(13.728438, t137, -7.981878), t137, 2.025724), t137, -0.7334958);
+        let t144 = t136 * fma(t142, t136, t143);
+        let t145 = fma(fma(-23.220068, t137, 7.332055), t136, fma(fma(fma(9.986537, t137, 25.22195), t137, 0.0), t137, -2.9581387));
+        let t146 = fma(fma(fma(-19.722994, t137, 4.6594768), t137, -0.89538246), t137, 0.5143498);
+        let t147 = t136 * fma(t145, t136, t146);
+        let t148 = fma(fma(fma(1.946617, t136, -3.077631), t136, 1.4945927), t136, -0.24140751);
+        let t149 = t136 * t148;
+        let t150 = t136 * fma(fma(0.38173297, t136, -0.30305624), t136, 0.05897375);
+        coefficients_0 = t128;
+        coefficients_1 = t135 - t128 + t141;
+        coefficients_2 = t144 - t141;
+        coefficients_3 = t147 - t144;
+        coefficients_4 = t149 - t147;
+        coefficients_5 = t150 - t149;
+        coefficients_6 = -t150;
     }
-    let t152 = 0.0 < t121;
-    let t153 = select(0.0, t113 / (1.0 + radius_cos), t116 && 0.0 < radius_cos);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t153, 0.0 < t153), t152);
-    let t154 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t119 || (t152 && 0.0 < inv_solid_angle));
+    let t151 = 0.0 < defensive_share;
+    let t152 = select(0.0, t113 / (1.0 + radius_cos), t116 && 0.0 < radius_cos);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t152, 0.0 < t152), t151);
+    let t153 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t119 || (t151 && 0.0 < inv_solid_angle));
     var light: spherecap_front_light;
-    light.is_sampled = t154;
-    light.solid_angle = select(0.0, t153 * 6.2831855, t154);
-    light.projected_solid_angle = select(0.0, projected_above, t154);
+    light.is_sampled = t153;
+    light.solid_angle = select(0.0, t152 * 6.2831855, t153);
+    light.projected_solid_angle = select(0.0, projected_above, t153);
     light.towards_centre = vec3f(t12 * t111, t13 * t111, t14 * t111);
     light.sideways = vec3f(sideways_x, sideways_y, sideways_z);
     light.normal = vec3f(normal_x, normal_y, normal_z);
@@ -864,14 +864,14 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     light.width = width;
     light.cut = cut;
     light.rise = rise;
-    light.defensive = t121;
+    light.defensive_share = defensive_share;
     light.requested = defensive;
     light.inv_above = inv_above;
     light.third_axis = vec3f(fma(sideways_y, up_z, -(sideways_z * up_y)), fma(sideways_z, up_x, -(sideways_x * up_z)), fma(sideways_x, up_y, -(sideways_y * up_x)));
-    light.height = select(0.0, t153, t152);
+    light.height = select(0.0, t152, t151);
     light.inv_solid_angle = inv_solid_angle;
-    light.crescent_share = select(0.0, t123, t122);
-    light.inv_rest = select(1.0, 1.0 / (1.0 - t123), t122);
+    light.crescent_share = select(0.0, t122, t121);
+    light.inv_rest = select(1.0, 1.0 / (1.0 - t122), t121);
     light.beyond = beyond;
     light.middle = elevation_cos * radius_cos;
     light.half_axis = radius_sin * t112;
@@ -891,13 +891,13 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         return spherecap_no_sample();
     }
     let t1 = abs(light.elevation_sin);
-    let t2 = 0.0 < light.defensive;
+    let t2 = 0.0 < light.defensive_share;
     let t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
     let t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
-    let t5 = t2 && t3 < light.defensive;
-    let t6 = 1.0 - light.defensive;
-    let t7 = spherecap_max(select(t3 - light.defensive, t3, t5) / select(t6, light.defensive, t5), 5.9604645e-8);
-    let t8 = select(t3, spherecap_min(t7, 0.99999994), 0.0 < light.requested);
+    let t5 = t2 && t3 < light.defensive_share;
+    let t6 = 1.0 - light.defensive_share;
+    let t7 = select(t3 - light.defensive_share, t3, t5) / select(t6, light.defensive_share, t5);
+    let t8 = select(t3, spherecap_min(spherecap_max(t7, 5.9604645e-8), 0.99999994), 0.0 < light.requested);
     let t9 = t5 || !(0.0 < light.tau);
     let t10 = !t9 && !(0.0 < light.elevation_sin);
     let t11 = t9 || (!t10 && light.crescent_share <= t8);
@@ -1007,7 +1007,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     }
     let t76 = spherecap_min(abs(cosine), 3.4028235e38);
     let t77 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t78 = light.defensive * light.inv_solid_angle;
+    let t78 = light.defensive_share * light.inv_solid_angle;
     let t79 = fma(t77, t6, spherecap_min(t78 / spherecap_max(t76, 1.1754944e-38), 3.4028235e38));
     let t80 = fma(zenith, zenith, side * side);
     let t81 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t80), 0.0);
@@ -1056,8 +1056,8 @@ fn spherecap_front_pdf_direction(light: spherecap_front_light, direction: vec3f)
     let t9 = select(t5, 1.0, t7);
     let t10 = spherecap_min(abs(t6), 3.4028235e38);
     let t11 = select(0.0, light.inv_above, 0.0 < t6);
-    let t12 = fma(t11, (1.0 - light.defensive) * t10, light.defensive * light.inv_solid_angle);
-    let t13 = select(0.0, select(t11 * t10, t12, 0.0 < light.defensive), fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t12 = fma(t11, (1.0 - light.defensive_share) * t10, light.defensive_share * light.inv_solid_angle);
+    let t13 = select(0.0, select(t11 * t10, t12, 0.0 < light.defensive_share), fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
     let t14 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
     return select(0.0, t13, 0.998001 <= t14 && t14 <= 1.002001);
 }
@@ -1069,9 +1069,9 @@ fn spherecap_front_pdf_on_sphere(light: spherecap_front_light, direction: vec3f)
     let t1 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
     let t2 = spherecap_min(abs(t1), 3.4028235e38);
     let t3 = select(0.0, light.inv_above, 0.0 < t1);
-    let t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    let t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
     let t5 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive), 0.998001 <= t5 && t5 <= 1.002001);
+    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
     return t6;
 }
 
@@ -1140,11 +1140,11 @@ struct spherecap_both_light {
     width: f32,
     cut: f32,
     rise: f32,
-    defensive: f32,
+    defensive_share: f32,
     requested: f32,
     inv_above: f32,
     inv_below: f32,
-    share_above: f32,
+    sides_share: f32,
     third_axis: vec3f,
     height: f32,
     inv_solid_angle: f32,
@@ -1371,11 +1371,11 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     let inv_below = select(0.0, 1.0 / projected_below, 0.0 < projected_below);
     let t122 = 0.0 < inv_above + inv_below;
     let t123 = select(inv_below, inv_above, t115);
-    let t124 = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t122);
-    let t125 = t121 && 0.0 < t123;
-    let t126 = t_y * t_y * t_y * shape * t123;
-    let t127 = t_y / radius_sin;
-    let t128 = fma(cut - t_x, shape_difference, shape);
+    let defensive_share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t122);
+    let t124 = t121 && 0.0 < t123;
+    let t125 = t_y * t_y * t_y * shape * t123;
+    let t126 = t_y / radius_sin;
+    let t127 = fma(cut - t_x, shape_difference, shape);
     var coefficients_0 = 0.0;
     var coefficients_1 = 0.0;
     var coefficients_2 = 0.0;
@@ -1383,71 +1383,71 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     var coefficients_4 = 0.0;
     var coefficients_5 = 0.0;
     var coefficients_6 = 0.0;
-    var t129 = 0.0;
+    var t128 = 0.0;
     if (t121) {
-        let t130 = 1.0 + kappa;
-        let t131 = t130 * shape;
-        let t132 = 1.0 / (norm * t131);
-        let t133 = sqrt(t132);
-        let t134 = norm * t133;
-        let t135 = 1.0 / (1.0 + cut);
-        let t136 = (t_x + kappa) * t135 - 0.5;
-        let t137 = t136 * t136;
-        let t138 = fma(fma(fma(-0.026061837, t137, -0.06372378), t137, -0.11762552), t137, -0.23594604);
-        let t139 = fma(fma(fma(0.05430631, t137, 0.080950715), t137, 0.1684019), t137, 0.32709444);
-        let t140 = fma(fma(fma(t138, t137, -0.44721135), t137, -0.7754678), t136, fma(fma(t139, t137, 0.5987523), t137, 0.94559944));
-        let t141 = t130 * t140 * (t135 * t135 * t135) * (t131 * t132);
-        let t142 = fma(t141, t131 * t133, -1.0);
-        let t143 = 1.0 - t141;
-        let t144 = fma(fma(30.011856, t142, fma(-41.541264, t143, -37.009792)), t142, fma(77.96775, t143, 7.470758));
-        let t145 = fma(fma(fma(fma(15.716111, t143, 0.0), t143, 9.961183), t143, -2.61785), t143, 0.8681748);
-        let t146 = fma(fma(t144, t142, fma(fma(-49.13454, t143, -9.466533), t143, -1.5877596)), t142, t145);
-        let t147 = t142 * t146;
-        let t148 = fma(fma(7.295638, t142, -7.236236), t142, fma(fma(fma(-11.4868555, t143, 0.0), t143, 0.0), t143, 3.1255686));
-        let t149 = fma(fma(fma(13.728438, t143, -7.981878), t143, 2.025724), t143, -0.7334958);
-        let t150 = t142 * fma(t148, t142, t149);
-        let t151 = fma(fma(-23.220068, t143, 7.332055), t142, fma(fma(fma(9.986537, t143, 25.22195), t143, 0.0), t143, -2.9581387));
-        let t152 = fma(fma(fma(-19.722994, t143, 4.6594768), t143, -0.89538246), t143, 0.5143498);
-        let t153 = t142 * fma(t151, t142, t152);
-        let t154 = fma(fma(fma(1.946617, t142, -3.077631), t142, 1.4945927), t142, -0.24140751);
-        let t155 = t142 * t154;
-        let t156 = t142 * fma(fma(0.38173297, t142, -0.30305624), t142, 0.05897375);
-        let t157 = 1.0 / (elevation_cos * elevation_cos);
-        let t158 = tau * tau;
-        let t159 = t158 * t157 / (1.0 + t_x);
-        let t160 = kappa - 0.5;
-        let t161 = cut - 0.5;
+        let t129 = 1.0 + kappa;
+        let t130 = t129 * shape;
+        let t131 = 1.0 / (norm * t130);
+        let t132 = sqrt(t131);
+        let t133 = norm * t132;
+        let t134 = 1.0 / (1.0 + cut);
+        let t135 = (t_x + kappa) * t134 - 0.5;
+        let t136 = t135 * t135;
+        let t137 = fma(fma(fma(-0.026061837, t136, -0.06372378), t136, -0.11762552), t136, -0.23594604);
+        let t138 = fma(fma(fma(0.05430631, t136, 0.080950715), t136, 0.1684019), t136, 0.32709444);
+        let t139 = fma(fma(fma(t137, t136, -0.44721135), t136, -0.7754678), t135, fma(fma(t138, t136, 0.5987523), t136, 0.94559944));
+        let t140 = t129 * t139 * (t134 * t134 * t134) * (t130 * t131);
+        let t141 = fma(t140, t130 * t132, -1.0);
+        let t142 = 1.0 - t140;
+        let t143 = fma(fma(30.011856, t141, fma(-41.541264, t142, -37.009792)), t141, fma(77.96775, t142, 7.470758));
+        let t144 = fma(fma(fma(fma(15.716111, t142, 0.0), t142, 9.961183), t142, -2.61785), t142, 0.8681748);
+        let t145 = fma(fma(t143, t141, fma(fma(-49.13454, t142, -9.466533), t142, -1.5877596)), t141, t144);
+        let t146 = t141 * t145;
+        let t147 = fma(fma(7.295638, t141, -7.236236), t141, fma(fma(fma(-11.4868555, t142, 0.0), t142, 0.0), t142, 3.1255686));
+        let t148 = fma(fma(fma(13.728438, t142, -7.981878), t142, 2.025724), t142, -0.7334958);
+        let t149 = t141 * fma(t147, t141, t148);
+        let t150 = fma(fma(-23.220068, t142, 7.332055), t141, fma(fma(fma(9.986537, t142, 25.22195), t142, 0.0), t142, -2.9581387));
+        let t151 = fma(fma(fma(-19.722994, t142, 4.6594768), t142, -0.89538246), t142, 0.5143498);
+        let t152 = t141 * fma(t150, t141, t151);
+        let t153 = fma(fma(fma(1.946617, t141, -3.077631), t141, 1.4945927), t141, -0.24140751);
+        let t154 = t141 * t153;
+        let t155 = t141 * fma(fma(0.38173297, t141, -0.30305624), t141, 0.05897375);
+        let t156 = 1.0 / (elevation_cos * elevation_cos);
+        let t157 = tau * tau;
+        let t158 = t157 * t156 / (1.0 + t_x);
+        let t159 = kappa - 0.5;
+        let t160 = cut - 0.5;
+        let t161 = t159 * t159;
         let t162 = t160 * t160;
-        let t163 = t161 * t161;
-        let t164 = fma(0.05430631, t162, 0.080950715);
-        let t165 = fma(t164, t162, 0.1684019);
-        let t166 = fma(t165, t162, 0.32709444);
-        let t167 = fma(fma(fma(fma(0.05430631, t163, t164), t163, t165), t163, t166), t163, fma(t166, t162, 0.5987523));
-        let t168 = fma(-0.026061837, t162, -0.06372378);
-        let t169 = fma(t168, t162, -0.11762552);
-        let t170 = fma(t169, t162, -0.23594604);
-        let t171 = fma(t170, t162, -0.44721135);
-        let t172 = fma(fma(fma(fma(-0.026061837, t163, t168), t163, t169), t163, t170), t163, t171);
-        let t173 = fma(kappa * t159, fma(fma(t161, t172, t167), t160 + t161, fma(t171, t162, -0.7754678)), fma(t128, t159 - kappa * kappa, kappa) * t157);
-        let t174 = spherecap_min(spherecap_max(t158 * tau * (radius_cos + 1.0) * t173 * 0.31830987, 0.0), 0.5);
-        coefficients_0 = t134;
-        coefficients_1 = t141 - t134 + t147;
-        coefficients_2 = t150 - t147;
-        coefficients_3 = t153 - t150;
-        coefficients_4 = t155 - t153;
-        coefficients_5 = t156 - t155;
-        coefficients_6 = -t156;
-        t129 = t174;
+        let t163 = fma(0.05430631, t161, 0.080950715);
+        let t164 = fma(t163, t161, 0.1684019);
+        let t165 = fma(t164, t161, 0.32709444);
+        let t166 = fma(fma(fma(fma(0.05430631, t162, t163), t162, t164), t162, t165), t162, fma(t165, t161, 0.5987523));
+        let t167 = fma(-0.026061837, t161, -0.06372378);
+        let t168 = fma(t167, t161, -0.11762552);
+        let t169 = fma(t168, t161, -0.23594604);
+        let t170 = fma(t169, t161, -0.44721135);
+        let t171 = fma(fma(fma(fma(-0.026061837, t162, t167), t162, t168), t162, t169), t162, t170);
+        let t172 = fma(kappa * t158, fma(fma(t160, t171, t166), t159 + t160, fma(t170, t161, -0.7754678)), fma(t127, t158 - kappa * kappa, kappa) * t156);
+        let t173 = spherecap_min(spherecap_max(t157 * tau * (radius_cos + 1.0) * t172 * 0.31830987, 0.0), 0.5);
+        coefficients_0 = t133;
+        coefficients_1 = t140 - t133 + t146;
+        coefficients_2 = t149 - t146;
+        coefficients_3 = t152 - t149;
+        coefficients_4 = t154 - t152;
+        coefficients_5 = t155 - t154;
+        coefficients_6 = -t155;
+        t128 = t173;
     }
-    let t175 = 0.0 < t124;
-    let t176 = select(0.0, t113 / (1.0 + radius_cos), t118 && 0.0 < radius_cos);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t176, 0.0 < t176), t175);
-    let share_above = select(1.0, select(0.0, select(t129, 1.0 - t129, t115), 0.0 < inv_above), 0.0 < inv_below);
-    let t177 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t122 || (t175 && 0.0 < inv_solid_angle));
+    let t174 = 0.0 < defensive_share;
+    let t175 = select(0.0, t113 / (1.0 + radius_cos), t118 && 0.0 < radius_cos);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t175, 0.0 < t175), t174);
+    let sides_share = select(1.0, select(0.0, select(t128, 1.0 - t128, t115), 0.0 < inv_above), 0.0 < inv_below);
+    let t176 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t122 || (t174 && 0.0 < inv_solid_angle));
     var light: spherecap_both_light;
-    light.is_sampled = t177;
-    light.solid_angle = select(0.0, t176 * 6.2831855, t177);
-    light.projected_solid_angle = select(0.0, projected_above, t177);
+    light.is_sampled = t176;
+    light.solid_angle = select(0.0, t175 * 6.2831855, t176);
+    light.projected_solid_angle = select(0.0, projected_above, t176);
     light.towards_centre = vec3f(t12 * t111, t13 * t111, t14 * t111);
     light.sideways = vec3f(sideways_x, sideways_y, sideways_z);
     light.normal = vec3f(normal_x, normal_y, normal_z);
@@ -1463,17 +1463,17 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     light.width = width;
     light.cut = cut;
     light.rise = rise;
-    light.defensive = t124;
+    light.defensive_share = defensive_share;
     light.requested = defensive;
     light.inv_above = inv_above;
     light.inv_below = inv_below;
-    light.share_above = share_above;
+    light.sides_share = sides_share;
     light.third_axis = vec3f(fma(sideways_y, up_z, -(sideways_z * up_y)), fma(sideways_z, up_x, -(sideways_x * up_z)), fma(sideways_x, up_y, -(sideways_y * up_x)));
-    light.height = select(0.0, t176, t175);
+    light.height = select(0.0, t175, t174);
     light.inv_solid_angle = inv_solid_angle;
-    light.crescent_share = select(0.0, t126, t125);
-    light.inv_rest = select(1.0, 1.0 / (1.0 - t126), t125);
-    light.beyond = select(0.0, t127 * t127 * t127 * t128, t125);
+    light.crescent_share = select(0.0, t125, t124);
+    light.inv_rest = select(1.0, 1.0 / (1.0 - t125), t124);
+    light.beyond = select(0.0, t126 * t126 * t126 * t127, t124);
     light.middle = elevation_cos * radius_cos;
     light.half_axis = radius_sin * t112;
     light.climb = climb;
@@ -1493,16 +1493,16 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     }
     let t1 = abs(light.elevation_sin);
     let t2 = 0.0 < light.elevation_sin;
-    let t3 = 0.0 < light.defensive;
+    let t3 = 0.0 < light.defensive_share;
     let t4 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
     let t5 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
-    let t6 = t3 && t4 < light.defensive;
-    let t7 = 1.0 - light.defensive;
-    let t8 = spherecap_max(select(t4 - light.defensive, t4, t6) / select(t7, light.defensive, t6), 5.9604645e-8);
-    let t9 = select(t4, spherecap_min(t8, 0.99999994), 0.0 < light.requested);
-    let t10 = t6 || t9 < light.share_above;
-    let t11 = 1.0 - light.share_above;
-    let t12 = select(t9 - light.share_above, t9, t10) / select(t11, light.share_above, t10);
+    let t6 = t3 && t4 < light.defensive_share;
+    let t7 = 1.0 - light.defensive_share;
+    let t8 = select(t4 - light.defensive_share, t4, t6) / select(t7, light.defensive_share, t6);
+    let t9 = select(t4, spherecap_min(spherecap_max(t8, 5.9604645e-8), 0.99999994), 0.0 < light.requested);
+    let t10 = t6 || t9 < light.sides_share;
+    let t11 = 1.0 - light.sides_share;
+    let t12 = select(t9 - light.sides_share, t9, t10) / select(t11, light.sides_share, t10);
     let t13 = select(spherecap_min(spherecap_max(t12, 5.9604645e-8), 0.99999994), t9, t6);
     let t14 = t6 || !(0.0 < light.tau);
     let t15 = !t14 && !((t10 && t2) || (!t10 && !t2));
@@ -1616,8 +1616,8 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     let cosine = t62 * t83;
     let t84 = t60 * t83;
     let t85 = spherecap_min(abs(cosine), 3.4028235e38);
-    let t86 = select(select(0.0, light.inv_below * t11, cosine < 0.0), light.inv_above * light.share_above, 0.0 < cosine);
-    let t87 = light.defensive * light.inv_solid_angle;
+    let t86 = select(select(0.0, light.inv_below * t11, cosine < 0.0), light.inv_above * light.sides_share, 0.0 < cosine);
+    let t87 = light.defensive_share * light.inv_solid_angle;
     let t88 = fma(t86, t7, spherecap_min(t87 / spherecap_max(t85, 1.1754944e-38), 3.4028235e38));
     let t89 = fma(zenith, zenith, side * side);
     let t90 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t89), 0.0);
@@ -1665,9 +1665,9 @@ fn spherecap_both_pdf_direction(light: spherecap_both_light, direction: vec3f) -
     let t8 = select(fma(t2, direction.x, fma(t3, direction.y, t4 * direction.z)), 1.0, t7);
     let t9 = select(t5, 1.0, t7);
     let t10 = spherecap_min(abs(t6), 3.4028235e38);
-    let t11 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t6 < 0.0), light.inv_above * light.share_above, 0.0 < t6);
-    let t12 = fma(t11, (1.0 - light.defensive) * t10, light.defensive * light.inv_solid_angle);
-    let t13 = select(0.0, select(t11 * t10, t12, 0.0 < light.defensive), fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t11 = select(select(0.0, light.inv_below * (1.0 - light.sides_share), t6 < 0.0), light.inv_above * light.sides_share, 0.0 < t6);
+    let t12 = fma(t11, (1.0 - light.defensive_share) * t10, light.defensive_share * light.inv_solid_angle);
+    let t13 = select(0.0, select(t11 * t10, t12, 0.0 < light.defensive_share), fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
     let t14 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
     return select(0.0, t13, 0.998001 <= t14 && t14 <= 1.002001);
 }
@@ -1678,10 +1678,10 @@ fn spherecap_both_pdf_on_sphere(light: spherecap_both_light, direction: vec3f) -
     }
     let t1 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
     let t2 = spherecap_min(abs(t1), 3.4028235e38);
-    let t3 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t1 < 0.0), light.inv_above * light.share_above, 0.0 < t1);
-    let t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    let t3 = select(select(0.0, light.inv_below * (1.0 - light.sides_share), t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
+    let t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
     let t5 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive), 0.998001 <= t5 && t5 <= 1.002001);
+    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
     return t6;
 }
 

@@ -18,8 +18,8 @@
 //! assert!(refused == 0 && pdf.iter().all(|&pdf| pdf > 0.0) && x[2] < 0.0);
 //! ```
 //!
-//! Every array has one number for each point, and every number is the one, to the bit, that [`Sampler`] gives for the point
-//! alone: neither the CPU nor the length of the arrays nor the place in them matters. Where [`Sampler::prepare`] would refuse,
+//! Every array has one number for each point, and every number is the one, to the bit, that [`Sampler`](crate::Sampler) gives for the point
+//! alone: neither the CPU nor the length of the arrays nor the place in them matters. Where [`Sampler::prepare`](crate::Sampler::prepare) would refuse,
 //! or the other input is none (a direction that is not of unit length, an offset with a component outside \[-1, 1\]), there are
 //! zeros; a density of zero in a sample says so, as a sample that exists has a positive one. Every function returns at how many
 //! points that was because of bad input: not where a light is merely invisible, or a point inside it. Arrays may begin at any
@@ -31,19 +31,20 @@
 pub use crate::lane::packet::arrays::Instructions;
 
 use crate::importance::importance_and_distance;
+use crate::input::{is_offset, is_unit, unit_or_zero, Input};
 use crate::lane::packet::arrays::{run_slices, Kernel};
 use crate::lane::{Lane, Mask};
 use crate::offset::Offset;
-use crate::prepare::{is_bad, is_offset, is_unit, unit_or_zero};
-use crate::sampling::{Density, Receiver, Sample, Sampler, Strategy};
+use crate::sample::{Density, Sample};
+use crate::strategy::Strategy;
 use crate::vec3::Vec3;
 
-/// Spheres as seen from points, one for each element of the arrays: what [`Sampler::prepare`] is given.
+/// Spheres as seen from points, one for each element of the arrays: what [`Sampler::prepare`](crate::Sampler::prepare) is given.
 #[derive(Clone, Copy, Debug)]
 pub struct Batch<'a> {
     /// How directions are distributed, for all points.
     pub strategy: Strategy<f32>,
-    /// Normals of the surfaces, of any length, or zero: see [`Receiver`].
+    /// Normals of the surfaces, of any length, or zero: see [`Receiver`](crate::Receiver).
     pub normal: Vec3<&'a [f32]>,
     /// The spheres' centres, each relative to its point.
     pub centre: Vec3<&'a [f32]>,
@@ -67,7 +68,7 @@ pub struct Measures<'a> {
 }
 
 impl Batch<'_> {
-    /// [`Sampler::sample`] for each point, with the two random numbers that `u` has for it.
+    /// [`Sampler::sample`](crate::Sampler::sample) for each point, with the two random numbers that `u` has for it.
     ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.
@@ -75,7 +76,7 @@ impl Batch<'_> {
         self.sample_with(Instructions::widest(), u, samples)
     }
 
-    /// [`Sampler::pdf`] of an offset for each point.
+    /// [`Sampler::pdf`](crate::Sampler::pdf) of an offset for each point.
     ///
     /// ```
     /// # use spherecap::{batch::{Batch, Densities, Samples}, Offset, Strategy, Vec3};
@@ -99,7 +100,7 @@ impl Batch<'_> {
         self.pdf_with(Instructions::widest(), offset, densities)
     }
 
-    /// [`Sampler::pdf`] of a unit direction for each point, to the precision of [`Sampler::offset`].
+    /// [`Sampler::pdf`](crate::Sampler::pdf) of a unit direction for each point, to the precision of [`Sampler::offset`](crate::Sampler::offset).
     ///
     /// ```
     /// # use spherecap::{batch::{Batch, Densities}, Strategy, Vec3};
@@ -120,7 +121,7 @@ impl Batch<'_> {
         self.pdf_direction_with(Instructions::widest(), direction, densities)
     }
 
-    /// [`Sampler::pdf_on_sphere`] of a unit direction for each point: one that is known to point at the sphere.
+    /// [`Sampler::pdf_on_sphere`](crate::Sampler::pdf_on_sphere) of a unit direction for each point: one that is known to point at the sphere.
     ///
     /// ```
     /// # use spherecap::{batch::{Batch, Densities}, Strategy, Vec3};
@@ -141,7 +142,7 @@ impl Batch<'_> {
         self.pdf_on_sphere_with(Instructions::widest(), direction, densities)
     }
 
-    /// What is measured of each sphere, where [`Sampler::prepare`] succeeds; zeros elsewhere.
+    /// What is measured of each sphere, where [`Sampler::prepare`](crate::Sampler::prepare) succeeds; zeros elsewhere.
     ///
     /// ```
     /// # use spherecap::{batch::{Batch, Measures}, Strategy, Vec3};
@@ -161,7 +162,7 @@ impl Batch<'_> {
         self.measures_with(Instructions::widest(), measures)
     }
 
-    /// [`Receiver::importance`] for each point, of a light whose strength `strength` has for it. Strengths that are negative or not
+    /// [`Receiver::importance`](crate::Receiver::importance) for each point, of a light whose strength `strength` has for it. Strengths that are negative or not
     /// finite are bad input, too.
     ///
     /// ```
@@ -263,26 +264,7 @@ impl Batch<'_> {
     }
 }
 
-/// A point and the sphere that it sees.
-struct Point<L> {
-    receiver: Receiver<L>,
-    centre: Vec3<L>,
-    radius: L,
-}
-
-impl<L: Lane> Point<L> {
-    #[inline(always)]
-    fn new(strategy: Strategy<L>, [nx, ny, nz, cx, cy, cz, radius]: [L; 7]) -> Self {
-        let receiver = Receiver { normal: Vec3::new(nx, ny, nz), strategy };
-        Self { receiver, centre: Vec3::new(cx, cy, cz), radius }
-    }
-
-    /// The sampler, and where there is one.
-    #[inline(always)]
-    fn sampler(&self) -> (Sampler<L>, L::Mask) {
-        Sampler::prepare_where_possible(self.receiver, self.centre, self.radius)
-    }
-
+impl<L: Lane> Input<L> {
     /// What a kernel gives: the numbers that another function made of a sampler (of whose cap the distance is told), or zeros where
     /// there is none or the rest of the input is bad; and where any input is.
     #[inline(always)]
@@ -297,11 +279,7 @@ impl<L: Lane> Point<L> {
             *number = L::select(is_good, *number, L::lit(0.0));
         }
         // Where there is a sampler, its input is good.
-        let is_bad = if is_good.all() {
-            !is_good
-        } else {
-            !is_rest_good | is_bad(&self.receiver, self.centre, self.radius, distance)
-        };
+        let is_bad = if is_good.all() { !is_good } else { !is_rest_good | self.is_bad(distance) };
         (numbers, is_bad)
     }
 }
@@ -344,9 +322,8 @@ impl Kernel<9, 12> for SampleKernel {
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, u0, u1]: [L; 9],
     ) -> ([L; 12], L::Mask) {
-        let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
-        let (sample, distance, is_sampled) =
-            Sampler::sample_where_possible(point.receiver, point.centre, point.radius, [u0, u1]);
+        let point = Input::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let (sample, distance, is_sampled) = point.sample([u0, u1]);
         point.results((distance, is_sampled), always::<L>(), sample_numbers(sample))
     }
 }
@@ -362,8 +339,8 @@ impl Kernel<10, 2> for PdfKernel {
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, zenith, side, cosine]: [L; 10],
     ) -> ([L; 2], L::Mask) {
-        let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
-        let (sampler, is_sampled) = point.sampler();
+        let point = Input::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let (sampler, is_sampled) = point.prepare();
         let offset = Offset { zenith, side, cosine };
         let density = sampler.pdf(offset);
         point.results((sampler.cap().distance(), is_sampled), is_offset(offset), density_numbers(density))
@@ -381,8 +358,8 @@ impl Kernel<10, 2> for PdfDirectionKernel {
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10],
     ) -> ([L; 2], L::Mask) {
-        let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
-        let (sampler, is_sampled) = point.sampler();
+        let point = Input::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let (sampler, is_sampled) = point.prepare();
         let direction = Vec3::new(x, y, z);
         let density = sampler.pdf_direction(direction);
         point.results((sampler.cap().distance(), is_sampled), is_unit(direction), density_numbers(density))
@@ -400,10 +377,9 @@ impl Kernel<10, 2> for PdfOnSphereKernel {
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, x, y, z]: [L; 10],
     ) -> ([L; 2], L::Mask) {
-        let point = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let point = Input::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
         let direction = Vec3::new(x, y, z);
-        let (density, distance, is_sampled) =
-            Sampler::pdf_where_possible(point.receiver, point.centre, point.radius, direction);
+        let (density, distance, is_sampled) = point.pdf(direction);
         point.results((distance, is_sampled), is_unit(direction), density_numbers(density))
     }
 }
@@ -415,8 +391,8 @@ pub(crate) struct MeasuresKernel;
 impl Kernel<7, 2> for MeasuresKernel {
     #[inline(always)]
     fn run<L: Lane>(self, strategy: Strategy<L>, numbers: [L; 7]) -> ([L; 2], L::Mask) {
-        let point = Point::new(strategy, numbers);
-        let (sampler, is_sampled) = point.sampler();
+        let point = Input::new(strategy, numbers);
+        let (sampler, is_sampled) = point.prepare();
         let cap = sampler.cap();
         let measures = [cap.solid_angle(), cap.projected_solid_angle()];
         point.results((sampler.cap().distance(), is_sampled), always::<L>(), measures)
@@ -434,11 +410,12 @@ impl Kernel<8, 1> for ImportanceKernel {
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, strength]: [L; 8],
     ) -> ([L; 1], L::Mask) {
-        let Point { receiver, centre, radius } = Point::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
-        let unit = unit_or_zero(receiver.normal);
-        let (importance, distance) = importance_and_distance(unit, strategy, centre, radius, strength);
+        let point = Input::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
+        let unit = unit_or_zero(point.receiver.normal);
+        let (importance, distance) =
+            importance_and_distance(unit, strategy, point.centre, point.radius, strength);
         let is_strength = L::lit(0.0).le(strength) & strength.le(L::lit(L::MAX));
-        ([importance], !is_strength | is_bad(&receiver, centre, radius, distance))
+        ([importance], !is_strength | point.is_bad(distance))
     }
 }
 

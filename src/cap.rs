@@ -21,6 +21,7 @@
 mod crescent;
 mod frame;
 mod horizon;
+mod share;
 mod sphere;
 
 use crate::lane::{branch, lit, Lane};

@@ -6,12 +6,12 @@
 
 use crate::batch::Instructions;
 use crate::batch::{MeasuresKernel, PdfDirectionKernel, PdfKernel, PdfOnSphereKernel, SampleKernel};
+use crate::input::Input;
 use crate::lane::packet::arrays::{run_slices, Kernel};
 use crate::lane::recorded::{Backend, Conditional, NodeId, Op, Recorded, Tape};
 use crate::lane::Lane;
 use crate::offset::Offset;
-use crate::sampling::{Hemispheres, Receiver, Sampler, Strategy, Technique};
-use crate::vec3::Vec3;
+use crate::strategy::{Hemispheres, Strategy, Technique};
 use core::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -51,8 +51,7 @@ impl Kernel<10, 2> for InvertKernel {
         strategy: Strategy<L>,
         [nx, ny, nz, cx, cy, cz, radius, zenith, side, cosine]: [L; 10],
     ) -> ([L; 2], L::Mask) {
-        let receiver = Receiver { normal: Vec3::new(nx, ny, nz), strategy };
-        let (sampler, is_sampled) = Sampler::prepare_where_possible(receiver, Vec3::new(cx, cy, cz), radius);
+        let (sampler, is_sampled) = Input::new(strategy, [nx, ny, nz, cx, cy, cz, radius]).prepare();
         let zero = L::lit(0.0);
         let numbers = sampler.invert(Offset { zenith, side, cosine });
         (numbers.map(|u| L::select(is_sampled, u, zero)), !is_sampled)

@@ -13,10 +13,10 @@
 //! Rounding must hide no light that [`Sampler`](crate::Sampler) sees, so `Z` and `T` are raised, and `1 - s^4` lowered, by what it may
 //! do: [`MARGIN`] and [`MARGIN_OF_FOURTH_POWER`]. docs/mathematics.md has the bound in the other direction.
 
+use crate::input::{is_fraction, unit_or_zero};
 use crate::lane::{lit, Lane};
 use crate::math::power_of_two_near_reciprocal;
-use crate::prepare::{is_fraction, unit_or_zero};
-use crate::sampling::{Hemispheres, Receiver, Strategy, Technique};
+use crate::strategy::{Hemispheres, Receiver, Strategy, Technique};
 use crate::vec3::Vec3;
 
 /// Of `Z` and `T`, in epsilons. The three roundings of the height are of numbers up to the distance, half an epsilon each; after

@@ -54,24 +54,28 @@ mod fits;
 #[cfg(test)]
 mod hashes;
 mod importance;
+mod input;
 mod lane;
 pub mod lights;
 mod math;
 mod offset;
 mod prepare;
+mod sample;
 mod sampling;
 #[cfg(test)]
 mod source;
+mod strategy;
 mod vec3;
 
 pub use cap::Cap;
 pub use fits::Fits;
+pub use input::{Refusal, UNIT_TOLERANCE};
 pub use lane::{lit, Blend, Lane, Lit, Mask};
 pub use offset::Offset;
-pub use prepare::{Refusal, Scalar, UNIT_TOLERANCE};
-pub use sampling::{
-    density_bound_for_radius, Density, Hemispheres, Receiver, Sample, Sampler, Strategy, Technique,
-};
+pub use prepare::Scalar;
+pub use sample::{Density, Sample};
+pub use sampling::{density_bound_for_radius, Sampler};
+pub use strategy::{Hemispheres, Receiver, Strategy, Technique};
 pub use vec3::Vec3;
 
 /// The README's example is a test.

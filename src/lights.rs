@@ -34,10 +34,10 @@
 pub use crate::choice::{Choice, Total};
 
 use crate::importance::importance_and_distance;
+use crate::input::{receiver_refusal, unit_or_zero, Refusal};
 use crate::lane::packet::arrays::{run_slices, Instructions, Kernel};
 use crate::lane::Lane;
-use crate::prepare::{receiver_refusal, unit_or_zero, Refusal};
-use crate::sampling::{Receiver, Strategy};
+use crate::strategy::{Receiver, Strategy};
 use crate::vec3::Vec3;
 
 /// The lights of a scene, one for each element of the arrays.

@@ -15,10 +15,12 @@ mod graph;
 mod language;
 mod print;
 
+use crate::input::{is_unit, Input};
 use crate::lane::recorded::{Recorded, RecordedMask, Tape, Wanted};
 use crate::lane::{Lane, Mask};
-use crate::prepare::is_unit;
-use crate::sampling::{Hemispheres, Receiver, Sample, Sampler, Strategy, Technique};
+use crate::sample::Sample;
+use crate::sampling::Sampler;
+use crate::strategy::{Hemispheres, Receiver, Strategy, Technique};
 use crate::vec3::Vec3;
 use graph::{Builder, Graph, Kind, Value};
 use language::{Guard, Language, Type, LANGUAGES};
@@ -97,9 +99,7 @@ const FIELDS: usize = 14;
 struct Session<'t> {
     tape: &'t Tape,
     builder: &'t Builder,
-    receiver: Receiver<Recorded<'t>>,
-    centre: Vec3<Recorded<'t>>,
-    radius: Recorded<'t>,
+    sphere: Input<Recorded<'t>>,
     known: Option<RecordedMask<'t>>,
 }
 
@@ -123,7 +123,8 @@ impl<'t> Session<'t> {
             known
         });
         let receiver = Receiver { normal, strategy };
-        Self { tape, builder, receiver, centre: vector(CENTRE), radius: input(RADIUS), known }
+        let sphere = Input { receiver, centre: vector(CENTRE), radius: input(RADIUS) };
+        Self { tape, builder, sphere, known }
     }
 
     fn input(&self, place: usize) -> Recorded<'t> {
@@ -135,7 +136,7 @@ impl<'t> Session<'t> {
     }
 
     fn prepare(&self) -> (Sampler<Recorded<'t>>, RecordedMask<'t>) {
-        Sampler::prepare_where_possible(self.receiver, self.centre, self.radius)
+        self.sphere.prepare()
     }
 
     /// The values of what is wanted.
@@ -346,7 +347,8 @@ impl Functions {
         let (tape, builder) = (Tape::default(), Builder::new(form));
         let session = Session::new(&tape, &builder, form);
         let strength = session.input(STRENGTH);
-        let importance = session.receiver.importance(session.centre, session.radius, strength);
+        let Input { receiver, centre, radius } = session.sphere;
+        let importance = receiver.importance(centre, radius, strength);
         let outputs = session.play(vec![tape.want_number(importance)]);
         let mut graph = builder.finish();
         graph.tidy(&outputs);

@@ -9,10 +9,11 @@ use crate::batch::{
     density_numbers, sample_numbers, ImportanceKernel, MeasuresKernel, PdfDirectionKernel, PdfKernel,
     PdfOnSphereKernel, SampleKernel,
 };
+use crate::input::is_fraction;
 use crate::lane::packet::arrays::{run, Kernel};
 use crate::offset::Offset;
-use crate::prepare::is_fraction;
-use crate::sampling::{Density, Sample, Strategy};
+use crate::sample::{Density, Sample};
+use crate::strategy::Strategy;
 use libc::c_char;
 
 /// Spheres as seen from many points: what `spherecap_prepare` is given, in arrays of one number for each point. An array may

@@ -11,9 +11,12 @@ use super::single::{
     SPHERECAP_ABI,
 };
 use crate::batch::Instructions;
+use crate::input::{is_offset, is_unit, Input, Refusal};
 use crate::offset::Offset;
-use crate::prepare::{is_offset, is_unit, refusal, Refusal, Scalar};
-use crate::sampling::{Density, Hemispheres, Receiver, Sample, Sampler, Strategy, Technique};
+use crate::prepare::Scalar;
+use crate::sample::{Density, Sample};
+use crate::sampling::Sampler;
+use crate::strategy::{Hemispheres, Receiver, Strategy, Technique};
 use core::mem::{offset_of, MaybeUninit};
 
 pub(super) const OK: u32 = Status::SPHERECAP_STATUS_OK as u32;
@@ -141,25 +144,21 @@ macro_rules! kernel {
 }
 
 kernel! {
-    fn kernel_prepare(
-        receiver: Receiver<F>, centre: [F; 3], radius: F, out: &mut MaybeUninit<Prepared<F>>
-    ) -> bool {
-        let (sampler, is_possible) = Sampler::prepare_where_possible(receiver, centre.into(), radius);
+    fn kernel_prepare(input: Input<F>, out: &mut MaybeUninit<Prepared<F>>) -> bool {
+        let (sampler, is_possible) = input.prepare();
         // Stored here, so that it is not copied.
         out.write(Prepared { seal: F::SEAL, status: Status::SPHERECAP_STATUS_OK as u32, sampler });
         is_possible
     }
 }
 kernel! {
-    fn kernel_sample_once(receiver: Receiver<F>, centre: [F; 3], radius: F, u: [F; 2]) -> (Sample<F>, F, bool) {
-        Sampler::sample_where_possible(receiver, centre.into(), radius, u)
+    fn kernel_sample_once(input: Input<F>, u: [F; 2]) -> (Sample<F>, F, bool) {
+        input.sample(u)
     }
 }
 kernel! {
-    fn kernel_pdf_once(
-        receiver: Receiver<F>, centre: [F; 3], radius: F, direction: [F; 3]
-    ) -> (Density<F>, F, bool) {
-        Sampler::pdf_where_possible(receiver, centre.into(), radius, direction.into())
+    fn kernel_pdf_once(input: Input<F>, direction: [F; 3]) -> (Density<F>, F, bool) {
+        input.pdf(direction.into())
     }
 }
 kernel! {
@@ -276,20 +275,22 @@ pub(super) unsafe fn store<T>(out: *mut T, value: Result<T, u32>) -> u32 {
     }
 }
 
-/// A receiver and a centre, checked as far as types go.
+/// A sphere as seen from a point, checked as far as types go.
 ///
 /// # Safety
 /// `receiver` and `centre` are NULL or point to what their types say, `centre` to three numbers.
-unsafe fn sphere<F: Precision>(
+unsafe fn input<F: Precision>(
     receiver: *const RawReceiver<F>,
     centre: *const F,
-) -> Result<(Receiver<F>, [F; 3]), u32> {
+    radius: F,
+) -> Result<Input<F>, u32> {
     // SAFETY: the caller's promise; an array is aligned as its elements.
     let (receiver, centre) = unsafe { (receiver.as_ref(), centre.cast::<[F; 3]>().as_ref()) };
     let (Some(receiver), Some(&centre)) = (receiver, centre) else { return Err(NULL_POINTER) };
     let (technique, hemispheres) = enums(receiver.technique, receiver.hemispheres)?;
     let strategy = Strategy { technique, hemispheres, defensive: receiver.defensive };
-    Ok((Receiver { normal: receiver.normal.into(), strategy }, centre))
+    let receiver = Receiver { normal: receiver.normal.into(), strategy };
+    Ok(Input { receiver, centre: centre.into(), radius })
 }
 
 // What the functions of the header do. Their safety is its contract: pointers are NULL, or to what their types say.
@@ -306,15 +307,15 @@ pub(super) unsafe fn prepare<F: Precision>(
     let result = (|| {
         let instructions = instructions()?;
         // SAFETY: the header's contract.
-        let (receiver, centre) = unsafe { sphere(receiver, centre) }?;
+        let input = unsafe { input(receiver, centre, radius) }?;
         // SAFETY: not NULL, so writable by the header's contract; a `Prepared` fits (asserted above).
         let out = unsafe { &mut *sampler.cast::<MaybeUninit<Prepared<F>>>() };
-        if kernel_prepare(instructions, receiver, centre, radius, out) {
+        if kernel_prepare(instructions, input, out) {
             return Ok(());
         }
         // SAFETY: just written.
         let distance = unsafe { out.assume_init_ref() }.sampler.cap().distance();
-        Err(Status::from(refusal(receiver, centre.into(), radius, distance)) as u32)
+        Err(Status::from(input.refusal(distance)) as u32)
     })();
     let Err(status) = result else { return OK };
     // SAFETY: not NULL, so writable by the header's contract; a header fits.
@@ -335,12 +336,12 @@ pub(super) unsafe fn sample_once<F: Precision>(
     let result = (|| {
         let instructions = instructions()?;
         // SAFETY: the header's contract.
-        let (receiver, centre) = unsafe { sphere(receiver, centre) }?;
-        let (sample, distance, is_possible) = kernel_sample_once(instructions, receiver, centre, radius, u);
+        let input = unsafe { input(receiver, centre, radius) }?;
+        let (sample, distance, is_possible) = kernel_sample_once(instructions, input, u);
         if is_possible {
             Ok(sample)
         } else {
-            Err(Status::from(refusal(receiver, centre.into(), radius, distance)) as u32)
+            Err(Status::from(input.refusal(distance)) as u32)
         }
     })();
     // SAFETY: the header's contract.
@@ -357,15 +358,14 @@ pub(super) unsafe fn pdf_once<F: Precision>(
     let result = (|| {
         let instructions = instructions()?;
         // SAFETY: the header's contract.
-        let (receiver, centre) = unsafe { sphere(receiver, centre) }?;
+        let input = unsafe { input(receiver, centre, radius) }?;
         // SAFETY: the header's contract.
         let direction = unsafe { checked_direction(direction) }?;
-        let (density, distance, is_possible) =
-            kernel_pdf_once(instructions, receiver, centre, radius, direction);
+        let (density, distance, is_possible) = kernel_pdf_once(instructions, input, direction);
         if is_possible {
             Ok(density)
         } else {
-            Err(Status::from(refusal(receiver, centre.into(), radius, distance)) as u32)
+            Err(Status::from(input.refusal(distance)) as u32)
         }
     })();
     // SAFETY: the header's contract.

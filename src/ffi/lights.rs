@@ -6,10 +6,10 @@ use super::calls::{enums, store, NULL_POINTER};
 use super::instructions::instructions;
 use super::single::{spherecap_receiver_t, spherecap_status_t as Status};
 use crate::choice::{Choice, Total};
+use crate::input::is_fraction;
 use crate::lane::packet::arrays::run;
 use crate::lights::LightsKernel;
-use crate::prepare::is_fraction;
-use crate::sampling::{Receiver, Strategy};
+use crate::strategy::{Receiver, Strategy};
 use core::mem::offset_of;
 
 /// The lights of a scene, in arrays of one number for each. An array may begin at the address of any float.

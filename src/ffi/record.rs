@@ -6,10 +6,12 @@
 
 use super::calls::{enums, store, NULL_POINTER};
 use super::single::spherecap_status_t as Status;
+use crate::input::{is_unit, Input};
 use crate::lane::recorded::{Backend, Conditional, NodeId, Op, Recorded, RecordedMask, Tape, Wanted};
 use crate::lane::Lane;
-use crate::prepare::is_unit;
-use crate::sampling::{Receiver, Sample, Sampler, Strategy};
+use crate::sample::Sample;
+use crate::sampling::Sampler;
+use crate::strategy::{Receiver, Strategy};
 use crate::vec3::Vec3;
 use core::ffi::c_void;
 
@@ -231,18 +233,18 @@ fn vector<'t>(tape: &'t Tape, terms: [spherecap_term_t; 3]) -> Vec3<Recorded<'t>
     terms.map(|term| lane(tape, term)).into()
 }
 
-/// What receives the light, and the sphere's centre and radius.
-type Input<'t> = (Receiver<Recorded<'t>>, Vec3<Recorded<'t>>, Recorded<'t>);
-
 /// # Safety
 /// `input` is NULL or points to a readable `spherecap_recorded_input_t`.
-unsafe fn lanes<'t>(tape: &'t Tape, input: *const spherecap_recorded_input_t) -> Result<Input<'t>, u32> {
+unsafe fn lanes<'t>(
+    tape: &'t Tape,
+    input: *const spherecap_recorded_input_t,
+) -> Result<Input<Recorded<'t>>, u32> {
     // SAFETY: the caller's promise.
     let input = unsafe { input.as_ref() }.ok_or(NULL_POINTER)?;
     let (technique, hemispheres) = enums(input.technique, input.hemispheres)?;
     let strategy = Strategy { technique, hemispheres, defensive: lane(tape, input.defensive) };
     let receiver = Receiver { normal: vector(tape, input.normal), strategy };
-    Ok((receiver, vector(tape, input.centre), lane(tape, input.radius)))
+    Ok(Input { receiver, centre: vector(tape, input.centre), radius: lane(tape, input.radius) })
 }
 
 /// The prepared sampler, and where there is something to sample.
@@ -254,8 +256,7 @@ unsafe fn prepare<'t>(
     input: *const spherecap_recorded_input_t,
 ) -> Result<(Sampler<Recorded<'t>>, RecordedMask<'t>), u32> {
     // SAFETY: the caller's promise.
-    let (receiver, centre, radius) = unsafe { lanes(tape, input) }?;
-    Ok(Sampler::prepare_where_possible(receiver, centre, radius))
+    Ok(unsafe { lanes(tape, input) }?.prepare())
 }
 
 /// Wants a number, zero where the mask is false.
@@ -371,7 +372,7 @@ pub unsafe extern "C" fn spherecap_record_importance(
         let strength = *strength.filter(|_| !importance.is_null()).ok_or(NULL_POINTER)?;
         let tape = Tape::default();
         // SAFETY: the header's contract.
-        let (receiver, centre, radius) = unsafe { lanes(&tape, input) }?;
+        let Input { receiver, centre, radius } = unsafe { lanes(&tape, input) }?;
         let number = receiver.importance(centre, radius, lane(&tape, strength));
         let [node] = tape
             .play(&recorder, [tape.want_number(number)])

@@ -3,7 +3,7 @@
 #![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
 
 use super::calls;
-use crate::prepare::Refusal;
+use crate::input::Refusal;
 use core::ffi::CStr;
 use libc::c_char;
 

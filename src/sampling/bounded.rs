@@ -8,7 +8,8 @@
 //! `s_y^2 = (1 + w_z / (s X + v |Z|)) / (1 + w_z / rise)`, which is 0/0 nowhere.
 
 use super::crescent::{self, Slice};
-use super::{interior, Place};
+use super::split::interior;
+use super::Place;
 use crate::cap::Cap;
 use crate::disk::power_per_height;
 use crate::lane::{branch, lit, Lane};

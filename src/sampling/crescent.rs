@@ -13,7 +13,8 @@
 //! `(c, S)` is proportional to `(u, V B(V))` with a mild, smooth B, known exactly at both ends and fitted between them
 //! (`fits.rs`), with a density within 7e-6 of uniform over all kappa and t_x.
 
-use super::{interior, Place};
+use super::split::interior;
+use super::Place;
 use crate::cap::{Cap, Crescent};
 use crate::disk::{power_per_height, shape};
 use crate::fits::CRESCENT;
@@ -155,7 +156,7 @@ impl<L: Lane> Marginal<L> {
     pub(super) fn slice(&self, cap: &Cap<L>, is_segment: L::Mask, share: L, u0: L, u: L, v2: L) -> Slice<L> {
         let Crescent { kappa, tau, cut, width, .. } = cap.crescent;
         let v = v2.sqrt();
-        // One division for both.
+        // One division for both: `Split::left_over` of the segment, and the end of the crescent's slice.
         let [m, g2, dividend, divisor] = branch!(is_segment, [v, L::lit(1.0), u0, share], {
             let s = v * self.value(v, v2);
             let n = u.fma(u, s * s).sqrt();
@@ -208,7 +209,8 @@ const NEWTON_STEPS: usize = 3;
 mod tests {
     use super::*;
     use crate::disk::exhaustive;
-    use crate::sampling::{Sampler, Strategy};
+    use crate::sampling::Sampler;
+    use crate::strategy::Strategy;
 
     fn sampler<L: Lane>(s: f64, kappa: f64) -> Sampler<L> {
         let (z, lit) = (-kappa * s, L::lit);

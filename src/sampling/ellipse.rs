@@ -8,7 +8,8 @@
 //! `s X (e - xi) = s X (1 - xi) - rise`. The offset towards the zenith, `X z - Z x`, is `X (z - Z v) - s Z^2 xi` with
 //! `z - Z v = s (X xi (s X xi - 2 Z v) + s (1 - xi^2 - eta^2)) / (z + Z v)`.
 
-use super::{interior, Place};
+use super::split::{interior, Split};
+use super::Place;
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, DiskPoint};
 use crate::lane::{branch, lit, Lane};
@@ -17,9 +18,9 @@ use crate::offset::Offset;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(super) struct Ellipse<L> {
-    /// Probability of the crescent beyond the chord `x = t_x`, on the centre's side: 0 in case 1.
-    pub crescent_share: L,
-    /// Reciprocal of what is left for the ellipse.
+    /// On the centre's side, the crescent beyond the chord `x = t_x` or the ellipse: without a crescent in case 1.
+    pub crescent: Split<L>,
+    /// Reciprocal of the ellipse's share.
     inv_rest: L,
     /// Area of the segment that the horizon cuts off the unit disk.
     pub beyond: L,
@@ -35,7 +36,14 @@ impl<L: Lane> Ellipse<L> {
     #[inline(always)]
     pub(super) fn unused() -> Self {
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
-        Self { crescent_share: zero, inv_rest: one, beyond: zero, middle: zero, half_axis: zero, climb: zero }
+        Self {
+            crescent: Split::none(),
+            inv_rest: one,
+            beyond: zero,
+            middle: zero,
+            half_axis: zero,
+            climb: zero,
+        }
     }
 
     /// For samplers that use it where it `is_cut`: the others are spared the work. `inv_area` is the reciprocal projected solid angle
@@ -44,18 +52,26 @@ impl<L: Lane> Ellipse<L> {
     pub(super) fn new(cap: &Cap<L>, is_cut: L::Mask, inv_area: L) -> Self {
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let c = &cap.crescent;
-        let (crescent_share, inv_rest, beyond) = branch!(
+        let (share, inv_rest, beyond) = branch!(
             is_cut & zero.lt(inv_area),
             {
                 let share = c.t_y_cubed() * c.shape * inv_area;
                 // Sine of half the angle that the horizon cuts off the boundary circle: tau / X.
                 let half_sine = c.t_y / cap.radius_sin;
-                (share, one / (one - share), half_sine * half_sine * half_sine * c.shape_cut())
+                let inv_rest = one / Split { share }.rest();
+                (share, inv_rest, half_sine * half_sine * half_sine * c.shape_cut())
             },
             (zero, one, zero)
         );
         let (s, x, z) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
-        Self { crescent_share, inv_rest, beyond, middle: x * cap.radius_cos, half_axis: s * z, climb: s * x }
+        Self {
+            crescent: Split { share },
+            inv_rest,
+            beyond,
+            middle: x * cap.radius_cos,
+            half_axis: s * z,
+            climb: s * x,
+        }
     }
 
     /// The direction for a point of the unit disk on this side of the chord, as if the centre were above the horizon.
@@ -74,10 +90,10 @@ impl<L: Lane> Ellipse<L> {
         Place { along, up: cosine, offset: Offset { zenith, side, cosine } }
     }
 
-    /// What is left of the random number of a side for the ellipse.
+    /// What is left of the random number that chose the ellipse: [`Split::left_over`], with the division done in advance.
     #[inline(always)]
-    pub(super) fn remap(&self, u0: L) -> L {
-        interior((u0 - self.crescent_share) * self.inv_rest)
+    pub(super) fn left_over(&self, u0: L) -> L {
+        interior((u0 - self.crescent.share) * self.inv_rest)
     }
 
     /// Whether a direction on the centre's side is on the ellipse's side of the chord: always, without a cut.

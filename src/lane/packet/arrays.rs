@@ -4,7 +4,7 @@ use super::Packet;
 #[cfg(target_arch = "x86_64")]
 use super::{avx2::F32x8, avx512::F32x16};
 use crate::lane::{Lane, Mask};
-use crate::sampling::Strategy;
+use crate::strategy::Strategy;
 use core::{ffi::CStr, fmt};
 
 /// What a CPU may have for packets of numbers.

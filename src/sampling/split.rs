@@ -1,0 +1,53 @@
+//! A region in two parts, of which one random number chooses one. Plain or projected, above the horizon or below, crescent or
+//! ellipse: a sampler makes all its choices so.
+
+use crate::lane::{branch, lit, Lane};
+
+/// The first part is chosen for random numbers below its share. What the choice leaves of a number, stretched to the unit interval,
+/// is used again in the part: so a stratum of numbers stays one.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub(super) struct Split<L> {
+    /// Probability of the first part, in [0, 1].
+    pub share: L,
+}
+
+impl<L: Lane> Split<L> {
+    /// Of which the second part is all.
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        Self { share: L::lit(0.0) }
+    }
+
+    /// Whether a random number chooses the first part.
+    #[inline(always)]
+    pub(super) fn is_first(self, u: L) -> L::Mask {
+        u.lt(self.share)
+    }
+
+    /// Probability of the second part.
+    #[inline(always)]
+    pub(super) fn rest(self) -> L {
+        lit(1.0) - self.share
+    }
+
+    /// What is left of a random number in the part that it chose: off the ends of the unit interval.
+    #[inline(always)]
+    pub(super) fn left_over(self, u: L, is_first: L::Mask) -> L {
+        let (part, whole) = branch!(is_first, (u, self.share), (u - self.share, self.rest()));
+        interior(part / whole)
+    }
+
+    /// The random numbers that leave `u` in the first part and in the second.
+    #[inline(always)]
+    pub(super) fn numbers(self, u: L) -> [L; 2] {
+        [u * self.share, self.rest().fma(u, self.share)]
+    }
+}
+
+/// Moves a random number off the ends of \[0, 1\], by less than the spacing of 24-bit random numbers.
+#[inline(always)]
+pub(super) fn interior<L: Lane>(u: L) -> L {
+    let margin = 0.5 * L::EPSILON;
+    u.max(L::lit(margin)).min(L::lit(1.0 - margin))
+}
