@@ -4,6 +4,7 @@
 mod common;
 
 mod accuracy;
+mod approximate;
 mod batch;
 mod choice;
 mod density;
