@@ -16,6 +16,8 @@ H being the shape of a disk segment (segment.py), and from c = 0 to 1 it integra
 segment(1 - x) sin th dth / 2. With (1 - x) (1 + e S) = (1 - t) (1 - kappa S), with
 (1 + x) (1 + e S) = (1 + t) (1 + kappa S) and with segment(1 - x) = H(x) (1 - x^2)^(3/2) that becomes D dc.)
 
+(In docs/mathematics.md, section 6, V is u_bar, and S is c_bar.)
+
 For kappa = 0, c is uniform. In general, with u uniform in [-1, 1] and V = sqrt(1 - u^2), (c, S) is taken
 proportional to (u, V B(V)). The exact B is analytic. Its ends follow from D at S = 0 and S = 1,
 

@@ -54,7 +54,7 @@ pub const {name}: Fits = Fits {{
 
 CRESCENT = """
 /// The marginal of a crescent, in both precisions: `CRESCENT[j][a][b]` is the coefficient of rho^a y^b in
-/// beta_j, with
+/// beta_j, with V = sqrt(1 - u^2), which is u_bar in docs/mathematics.md, and
 ///
 /// B(V) = B0 + (B1 - B0) V + rho V (1 - V) (sum over j of beta_j V^j), rho = B1 / B0 - 1, y = 1 - B1.
 ///

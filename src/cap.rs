@@ -12,7 +12,7 @@
 //! | 3 | `-s < Z <= 0` | less than half: a crescent |
 //! | 4 | `Z <= -s` | nothing |
 //!
-//! Everything about the horizon hangs on `s^2 - Z^2 = (r - h)(r + h) / d^2` with the signed height `h = n.C` of the centre,
+//! Everything about the horizon hangs on `s^2 - Z^2 = (r - z_C)(r + z_C) / d^2` with the signed height `z_C = n.C` of the centre,
 //! a compensated dot product; everything about nearness on `d^2 - r^2`, likewise where it is small. Extreme lengths
 //! are first scaled by a power of two near 1/d, so that no square over- or underflows.
 //!
@@ -107,13 +107,13 @@ impl<L: Lane> View<L> {
     #[inline(always)]
     pub(crate) fn is_cut(&self) -> L::Mask {
         let zero = L::lit(0.0);
-        zero.lt(self.horizon.q) & self.on_surface & zero.lt(self.sphere.gap)
+        zero.lt(self.horizon.circle2) & self.on_surface & zero.lt(self.sphere.gap)
     }
 
     /// What it cuts off, where it does, and `X d`: `(X d)^2 = d^2 - h^2` is the sum of two positives there.
     #[inline(always)]
     pub(crate) fn cut(&self) -> (Crescent<L>, L) {
-        let x_d = (self.sphere.gap + self.horizon.q).sqrt();
+        let x_d = (self.sphere.gap + self.horizon.circle2).sqrt();
         (Crescent::new(&self.sphere, &self.horizon, self.v_d, x_d), x_d)
     }
 
@@ -162,7 +162,7 @@ impl<L: Lane> Cap<L> {
         let (elevation_sin, elevation_cos) = (horizon.height * inv_d, x_d * inv_d);
         let z = elevation_sin.abs();
         // At most `v |Z|` from the horizon, which a normal longer than 1 by a rounding would deny next to the sphere.
-        let rise = (horizon.q * (inv_d * inv_d) / v.fma(z, s * elevation_cos)).max(-(v * z));
+        let rise = (horizon.circle2 * (inv_d * inv_d) / v.fma(z, s * elevation_cos)).max(-(v * z));
 
         // The whole cap, projected, is an ellipse with half axes s and s |Z|.
         let s2 = s * s;

@@ -2,9 +2,9 @@
 //! chosen by it (`choice.rs`).
 //!
 //! With `s = r/d` and `Z` as in `cap.rs`, and `T = Z + s` what the light has above the horizon (in units of its distance), it is
-//! `strength s^2 c` with
+//! `strength s^2 gamma` with
 //!
-//! | `c` | where |
+//! | `gamma` | where |
 //! |---|---|
 //! | `Z` | `Z >= s`: all of the light is above, and this is its projected solid angle over pi |
 //! | `T^2 / (2 (T + (s - Z) (1 - s^4)))` | the horizon cuts it; the two meet at `Z = s`, and this is `T/2`, exact, at `s = 1` |
@@ -110,7 +110,7 @@ pub(crate) fn importance_and_distance<L: Lane>(
     (L::select(is_lit, importance, zero), distance)
 }
 
-/// `c` of the side of the horizon where the height is positive.
+/// `gamma` of the side of the horizon where the height is positive.
 #[inline(always)]
 fn part_above<L: Lane>(height: L, r: L, inv_d: L, s: L, fall: L) -> L {
     let margin = L::lit(MARGIN * L::EPSILON);

@@ -3,8 +3,8 @@
 //! Projected it has the area `t_y^3 (1 - kappa) N` with `kappa = |Z|/s`. With H of `disk.rs`, the segment that
 //! the chord `x = t_x` cuts off the unit disk has the area `t_y^3 H(t_x)`, and the one it cuts off the ellipse
 //! `s^2 |Z| (t_y/s)^3 H(e) = kappa t_y^3 H(e)` with `e = kappa t_x`. Their difference is
-//! `t_y^3 (H(t) - kappa H(e)) = t_y^3 (1 - kappa) (H(t) + e H[t, e])`, where the divided difference `H[t, e]` takes the place
-//! of the cancellation. Measured against 25-digit values: see `tests/kernels/reference.rs`.
+//! `t_y^3 (H(t_x) - kappa H(e)) = t_y^3 (1 - kappa) N` with `N = H(t_x) + e H[t_x, e]`, where the divided difference takes the
+//! place of the cancellation (docs/mathematics.md, section 3). Measured against 25-digit values: see `tests/kernels/reference.rs`.
 
 use super::horizon::Horizon;
 use super::sphere::Sphere;
@@ -31,7 +31,7 @@ pub(crate) struct Crescent<L> {
     /// `H(t_x)` and `H[t_x, e]`.
     pub shape: L,
     pub shape_difference: L,
-    /// `N`, in [4/15, pi/2].
+    /// `N = H(t_x) + e H[t_x, e]`, in [4/15, pi/2].
     pub norm: L,
 }
 blend_fields!(Crescent { tau, area; only kappa, t_x, t_y, width, cut, shape, shape_difference, norm });
@@ -41,18 +41,18 @@ impl<L: Lane> Crescent<L> {
     #[inline(always)]
     pub(super) fn new(sphere: &Sphere<L>, horizon: &Horizon<L>, v_d: L, x_d: L) -> Self {
         let r = sphere.lengths.radius;
-        let q_root = horizon.q.sqrt();
+        let circle = horizon.circle2.sqrt();
         // One division for two.
         let inv_both = lit(1.0) / (x_d * r);
         let (inv_x_d, inv_r) = (inv_both * r, inv_both * x_d);
-        let (t_x, t_y) = (v_d * inv_x_d, q_root * inv_x_d);
+        let (t_x, t_y) = (v_d * inv_x_d, circle * inv_x_d);
         let width = t_y * t_y / (lit(1.0) + t_x);
         let kappa = horizon.height.abs() * inv_r;
         let cut = kappa * t_x;
         let (shape, shape_difference) = shape_and_difference(t_x, cut);
         let norm = cut.fma(shape_difference, shape);
         let area = t_y * t_y * t_y * (horizon.beyond * inv_r) * norm;
-        Self { tau: q_root * inv_r, area, kappa, t_x, t_y, width, cut, shape, shape_difference, norm }
+        Self { tau: circle * inv_r, area, kappa, t_x, t_y, width, cut, shape, shape_difference, norm }
     }
 
     /// Where there is none.

@@ -8,12 +8,13 @@ use crate::vec3::Vec3;
 /// Lengths and squares of lengths, in the sphere's unit.
 #[derive(Clone, Copy)]
 pub(super) struct Horizon<L> {
-    /// `h = n.C`, the height of the centre: 0 without a surface.
+    /// `z_C = n.C`, the height of the centre: 0 without a surface.
     pub height: L,
-    /// `r - |h|`, to its own precision: how much of the radius is beyond the horizon.
+    /// `r - |z_C|`, to its own precision: how much of the radius is beyond the horizon.
     pub beyond: L,
-    /// `q = r^2 - h^2 = (s^2 - Z^2) d^2`, likewise, positive where the horizon cuts the sphere.
-    pub q: L,
+    /// `r^2 - z_C^2 = (s^2 - Z^2) d^2`, likewise: where the horizon cuts the sphere, in a circle, that one's squared radius; else not
+    /// positive.
+    pub circle2: L,
 }
 
 impl<L: Lane> Horizon<L> {
@@ -21,7 +22,7 @@ impl<L: Lane> Horizon<L> {
     pub(super) fn new(normal: Vec3<L>, sphere: &Sphere<L>) -> Self {
         let Lengths { centre, radius: r, .. } = sphere.lengths;
         let height = dot(normal, centre).normalised();
-        let (r_minus_h, r_plus_h) = ((r - height.hi) - height.lo, (r + height.hi) + height.lo);
-        Self { height: height.hi, beyond: r_minus_h.min(r_plus_h), q: r_minus_h * r_plus_h }
+        let (below, above) = ((r - height.hi) - height.lo, (r + height.hi) + height.lo);
+        Self { height: height.hi, beyond: below.min(above), circle2: below * above }
     }
 }

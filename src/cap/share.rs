@@ -9,7 +9,7 @@ impl<L: Lane> Cap<L> {
     /// Share of the cap's solid angle that lies above the horizon: docs/mathematics.md, section 10.
     ///
     /// Of the crescent's over the whole cap's it is
-    /// `tau^3 (1 + v)/pi [kappa m H[kappa, e] + (H(e) (m - kappa^2) + kappa) / X^2]` with `m = (1 - t_x)/s^2 = tau^2 / (X^2 (1 + t_x))`.
+    /// `tau^3 (1 + v)/pi [kappa M H[kappa, e] + (H(e) (M - kappa^2) + kappa) / X^2]` with `M = (1 - t_x)/s^2 = tau^2 / (X^2 (1 + t_x))`.
     #[inline(always)]
     pub(crate) fn share_above(&self) -> L {
         let one = L::lit(1.0);
@@ -19,10 +19,10 @@ impl<L: Lane> Cap<L> {
             {
                 let c = &self.crescent;
                 let inv_x2 = lit(1.0) / (self.elevation_cos * self.elevation_cos);
-                let m = c.tau * c.tau * inv_x2 / (lit(1.0) + c.t_x);
+                let per_s2 = c.tau * c.tau * inv_x2 / (lit(1.0) + c.t_x);
                 let (_, difference) = shape_and_difference(c.kappa, c.cut);
-                let bracket =
-                    (c.kappa * m).fma(difference, c.shape_cut().fma(m - c.kappa * c.kappa, c.kappa) * inv_x2);
+                let bracket = (c.kappa * per_s2)
+                    .fma(difference, c.shape_cut().fma(per_s2 - c.kappa * c.kappa, c.kappa) * inv_x2);
                 let share = c.tau * c.tau * c.tau * (self.radius_cos + lit(1.0)) * bracket * lit(1.0 / PI);
                 share.max(L::lit(0.0)).min(L::lit(0.5))
             },

@@ -1,17 +1,17 @@
 //! The crescent of a cut cap, uniformly in projected solid angle: the whole region in case 3.
 //!
 //! The paper warps a cut disk onto it, which varies the density by up to a factor. Here the crescent is sliced by the great
-//! circles through `p = (1, 0, 0)`, a point of the horizon inside the cap. Write a direction as
+//! circles through `(1, 0, 0)`, a point of the horizon inside the cap. Write a direction as
 //! `x = cos a`, `(y, z) = sin a (cos theta, sin theta)` and `h = 1 - x`. The projected area element is
 //! `sqrt(h (2 - h)) dh d(cos theta)`, so that along a slice the distribution function is the area of a disk segment of height
 //! h, whatever the cap: one inverse (`disk.rs`), up to the slice's end on the cap's boundary.
 //!
-//! Seen by stereographic projection from `-p` the crescent is a circular segment whose shape depends on kappa alone. With
-//! `(c, S)` on the upper half of the unit circle the slices are `tan theta = tau S / c` and end at
-//! `h_b = w (1 - kappa S) / (1 + e S)`, `w = 1 - t_x`. What remains is to choose c with the density of the slices' areas.
-//! For `kappa = 0`, the plain cut disk, that is uniform: `c = u = 2 u1 - 1`, `S = V = sqrt(1 - u^2)`. In general
-//! `(c, S)` is proportional to `(u, V B(V))` with a mild, smooth B, known exactly at both ends and fitted between them
-//! (`fits.rs`), with a density within 7e-6 of uniform over all kappa and t_x.
+//! Seen by stereographic projection from `(-1, 0, 0)` the crescent is a circular segment whose shape depends on kappa alone. With
+//! `(c, c_bar)` on the upper half of the unit circle (a bar is `sqrt(1 - x^2)`) the slices are `tan theta = tau c_bar / c` and end at
+//! `h_b = (1 - t_x) (1 - kappa c_bar) / (1 + e c_bar)`. What remains is to choose c with the density of the slices' areas.
+//! For `kappa = 0`, the plain cut disk, that is uniform: `c = u = 2 u1 - 1`. In general
+//! `(c, c_bar)` is proportional to `(u, u_bar B(u_bar))` with a mild, smooth B, known exactly at both ends and fitted between them
+//! (`fits.rs`), with a density within 7e-6 of uniform over all kappa and t_x. docs/mathematics.md, section 6, derives all of it.
 
 use super::split::interior;
 use super::Place;
@@ -22,14 +22,14 @@ use crate::lane::{branch, lit, Blend, Lane, Only};
 use crate::math::polynomial_of_two;
 use crate::offset::Offset;
 
-/// B as a polynomial in V, coefficients ascending.
+/// B as a polynomial in u_bar, coefficients ascending.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(super) struct Marginal<L> {
     coefficients: [L; 7],
 }
 
-/// A slice through `p`, and how far along it to go.
+/// A slice through `(1, 0, 0)`, and how far along it to go.
 #[derive(Clone, Copy)]
 pub(super) struct Slice<L> {
     /// The share of its area.
@@ -94,7 +94,7 @@ impl<L: Lane> Marginal<L> {
             {
                 let c = &cap.crescent;
                 let (one, kappa_1) = (L::lit(1.0), lit(1.0) + c.kappa);
-                // B(0) = sqrt(N / P) from the crescent's ends, with P = (1 + kappa) H(t); B(1) from its middle. One
+                // B(0) = sqrt(N / P) from the crescent's ends, with P = (1 + kappa) H(t_x); B(1) from its middle. One
                 // division serves both, and the quotient rho.
                 let ends = kappa_1 * c.shape;
                 let inv = one / (c.norm * ends);
@@ -128,40 +128,48 @@ impl<L: Lane> Marginal<L> {
         Self { coefficients }
     }
 
-    /// B(V), given `V^2` too: its even part need not wait for the root.
+    /// B, given the square of `u_bar` too: its even part need not wait for the root.
     #[inline(always)]
-    fn value(&self, v: L, v2: L) -> L {
+    fn value(&self, u_bar: L, u_bar2: L) -> L {
         let [c0, c1, c2, c3, c4, c5, c6] = self.coefficients;
-        let even = c6.fma(v2, c4).fma(v2, c2).fma(v2, c0);
-        c5.fma(v2, c3).fma(v2, c1).fma(v, even)
+        let even = c6.fma(u_bar2, c4).fma(u_bar2, c2).fma(u_bar2, c0);
+        c5.fma(u_bar2, c3).fma(u_bar2, c1).fma(u_bar, even)
     }
 
-    /// B(V) and its derivative.
+    /// B and its derivative.
     #[inline(always)]
-    fn value_and_slope(&self, v: L) -> (L, L) {
+    fn value_and_slope(&self, u_bar: L) -> (L, L) {
         let mut value = self.coefficients[6];
         let mut slope = L::lit(0.0);
         for &c in self.coefficients[..6].iter().rev() {
-            slope = slope.fma(v, value);
-            value = value.fma(v, c);
+            slope = slope.fma(u_bar, value);
+            value = value.fma(u_bar, c);
         }
         (value, slope)
     }
 
     /// The slice for two random numbers, in the crescent away from the centre, or (`is_segment`) in the part of the centre's side
     /// beyond the chord, as if that side were above the horizon; that part is the crescent of a cap with kappa = 0, and is
-    /// chosen for `u0` below `share`. `u0 = 0` is `p` and `u0 = 1` the boundary (or the chord); `u1 = 0` and `u1 = 1` are the
-    /// horizon on either side. Of `u1` it is told `u = 2 u1 - 1` and `v2 = 1 - u^2`.
+    /// chosen for `u0` below `share`. `u0 = 0` is `(1, 0, 0)` and `u0 = 1` the boundary (or the chord); `u1 = 0` and `u1 = 1` are the
+    /// horizon on either side. Of `u1` it is told `u = 2 u1 - 1` and `u_bar2 = 1 - u^2`.
     #[inline(always)]
-    pub(super) fn slice(&self, cap: &Cap<L>, is_segment: L::Mask, share: L, u0: L, u: L, v2: L) -> Slice<L> {
+    pub(super) fn slice(
+        &self,
+        cap: &Cap<L>,
+        is_segment: L::Mask,
+        share: L,
+        u0: L,
+        u: L,
+        u_bar2: L,
+    ) -> Slice<L> {
         let Crescent { kappa, tau, cut, width, .. } = cap.crescent;
-        let v = v2.sqrt();
+        let u_bar = u_bar2.sqrt();
         // One division for both: `Split::left_over` of the segment, and the end of the crescent's slice.
-        let [m, g2, dividend, divisor] = branch!(is_segment, [v, L::lit(1.0), u0, share], {
-            let s = v * self.value(v, v2);
-            let n = u.fma(u, s * s).sqrt();
-            let m = tau * s;
-            [m, u.fma(u, m * m), width, kappa.fma(s, n) * cut.fma(s, n)]
+        let [m, g2, dividend, divisor] = branch!(is_segment, [u_bar, L::lit(1.0), u0, share], {
+            let u_bar_b = u_bar * self.value(u_bar, u_bar2);
+            let length = u.fma(u, u_bar_b * u_bar_b).sqrt();
+            let m = tau * u_bar_b;
+            [m, u.fma(u, m * m), width, kappa.fma(u_bar_b, length) * cut.fma(u_bar_b, length)]
         });
         let quotient = dividend / divisor;
         let (u0, end) = branch!(is_segment, (interior(quotient), width), (u0, quotient));
@@ -173,31 +181,32 @@ impl<L: Lane> Marginal<L> {
     pub(super) fn invert(&self, cap: &Cap<L>, is_segment: L::Mask, offset: Offset<L>) -> [L; 2] {
         let [kappa, tau, cut] = proportions(cap, is_segment);
         let (y, z) = (offset.side, offset.cosine);
-        // (u, V B(V)) is proportional to (tau |y|, z): Newton's method for f = V B(V) a - z cos on the unit circle.
+        // (u, u_bar B) is proportional to (tau |y|, z): Newton's method for f = u_bar B a - z u on the unit circle.
         let a = y.abs() * tau;
         let plain = |(value, slope): (L, L)| {
             (L::select(is_segment, L::lit(1.0), value), L::select(is_segment, L::lit(0.0), slope))
         };
-        let normalise = |c: L, v: L| {
-            let scale = lit(1.0) / c.fma(c, v * v).sqrt();
-            (c * scale, v * scale)
+        let normalise = |u: L, u_bar: L| {
+            let scale = lit(1.0) / u.fma(u, u_bar * u_bar).sqrt();
+            (u * scale, u_bar * scale)
         };
         let (start, _) =
             plain(((self.coefficients[0] + self.value_and_slope(L::lit(1.0)).0) * lit(0.5), L::lit(0.0)));
-        let (mut c, mut v) = normalise(a * start, z);
+        let (mut u, mut u_bar) = normalise(a * start, z);
         for _ in 0..NEWTON_STEPS {
-            let (b, slope) = plain(self.value_and_slope(v));
-            let f = v * b * a - z * c;
-            let delta = -f / (a * c).fma(v.fma(slope, b), z * v);
-            (c, v) = normalise((-delta).fma(v, c), delta.fma(c, v));
+            let (b, slope) = plain(self.value_and_slope(u_bar));
+            let f = u_bar * b * a - z * u;
+            let delta = -f / (a * u).fma(u_bar.fma(slope, b), z * u_bar);
+            (u, u_bar) = normalise((-delta).fma(u_bar, u), delta.fma(u, u_bar));
         }
-        let (b, _) = plain(self.value_and_slope(v));
-        let s = v * b;
-        let (n, m) = (c.fma(c, s * s).sqrt(), tau * s);
+        let (b, _) = plain(self.value_and_slope(u_bar));
+        let u_bar_b = u_bar * b;
+        let (length, m) = (u.fma(u, u_bar_b * u_bar_b).sqrt(), tau * u_bar_b);
         let h = y.fma(y, z * z) / (lit(1.0) + abscissa(cap, is_segment, offset));
-        let h_end = c.fma(c, m * m) * (cap.crescent.width / (kappa.fma(s, n) * cut.fma(s, n)));
+        let per_g2 = cap.crescent.width / (kappa.fma(u_bar_b, length) * cut.fma(u_bar_b, length));
+        let h_end = u.fma(u, m * m) * per_g2;
         let ratio = h * power_per_height(h) / (h_end * power_per_height(h_end));
-        let smaller = v * v / ((lit(1.0) + c) * lit(2.0));
+        let smaller = u_bar * u_bar / ((lit(1.0) + u) * lit(2.0));
         [ratio * ratio.sqrt(), L::select(y.lt(L::lit(0.0)), smaller, lit(1.0) - smaller)]
     }
 }
