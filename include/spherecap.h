@@ -438,6 +438,19 @@ uint32_t spherecap_batch_sample(const struct spherecap_batch_t *batch,
                                 const struct spherecap_batch_samples_t *samples,
                                 size_t *refused);
 
+// Samples `count` directions towards the sphere of one sampler, with two random numbers for each: for resampling, or many shadow rays
+// at one point.
+//
+// Stores what `spherecap_sample` stores for each pair of random numbers, to the bit. The arrays of `random` and `samples` have one
+// number for each sample; those that are stored to must not overlap each other or those that are read.
+//
+// Errors: NULL_POINTER (of the arrays that are read, too), SAMPLER, INSTRUCTIONS, and the status with which the preparation of the
+// sampler ended; then nothing is stored.
+uint32_t spherecap_sample_many(const struct spherecap_sampler_t *sampler,
+                               size_t count,
+                               const struct spherecap_batch_random_t *random,
+                               const struct spherecap_batch_samples_t *samples);
+
 // `spherecap_pdf` for each point. The density is also zero where the sphere or the offset would be refused.
 //
 // `refused` and errors: as of `spherecap_batch_sample`.

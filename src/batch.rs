@@ -18,8 +18,8 @@
 //! assert!(refused == 0 && pdf.iter().all(|&pdf| pdf > 0.0) && x[2] < 0.0);
 //! ```
 //!
-//! Every array has one number for each point, and every number is the one, to the bit, that [`Sampler`](crate::Sampler) gives for the point
-//! alone: neither the CPU nor the length of the arrays nor the place in them matters. Where [`Sampler::prepare`](crate::Sampler::prepare) would refuse,
+//! Every array has one number for each point, and every number is the one, to the bit, that [`Sampler`] gives for the point
+//! alone: neither the CPU nor the length of the arrays nor the place in them matters. Where [`Sampler::prepare`] would refuse,
 //! or the other input is none (a direction that is not of unit length, an offset with a component outside \[-1, 1\]), there are
 //! zeros; a density of zero in a sample says so, as a sample that exists has a positive one. Every function returns at how many
 //! points that was because of bad input: not where a light is merely invisible, or a point inside it. Arrays may begin at any
@@ -33,13 +33,14 @@ pub use crate::lane::packet::arrays::Instructions;
 use crate::importance::importance_and_distance;
 use crate::input::{is_offset, is_unit, unit_or_zero, Input};
 use crate::lane::packet::arrays::{run_slices, Kernel};
-use crate::lane::{Lane, Mask};
+use crate::lane::{Broadcast, Lane, Mask};
 use crate::offset::Offset;
 use crate::sample::{Density, Sample};
+use crate::sampling::Sampler;
 use crate::strategy::Strategy;
 use crate::vec3::Vec3;
 
-/// Spheres as seen from points, one for each element of the arrays: what [`Sampler::prepare`](crate::Sampler::prepare) is given.
+/// Spheres as seen from points, one for each element of the arrays: what [`Sampler::prepare`] is given.
 #[derive(Clone, Copy, Debug)]
 pub struct Batch<'a> {
     /// How directions are distributed, for all points.
@@ -68,7 +69,7 @@ pub struct Measures<'a> {
 }
 
 impl Batch<'_> {
-    /// [`Sampler::sample`](crate::Sampler::sample) for each point, with the two random numbers that `u` has for it.
+    /// [`Sampler::sample`] for each point, with the two random numbers that `u` has for it.
     ///
     /// # Panics
     /// If the arrays, the batch's own included, differ in length.
@@ -76,7 +77,7 @@ impl Batch<'_> {
         self.sample_with(Instructions::widest(), u, samples)
     }
 
-    /// [`Sampler::pdf`](crate::Sampler::pdf) of an offset for each point.
+    /// [`Sampler::pdf`] of an offset for each point.
     ///
     /// ```
     /// # use spherecap::{batch::{Batch, Densities, Samples}, Offset, Strategy, Vec3};
@@ -100,7 +101,7 @@ impl Batch<'_> {
         self.pdf_with(Instructions::widest(), offset, densities)
     }
 
-    /// [`Sampler::pdf`](crate::Sampler::pdf) of a unit direction for each point, to the precision of [`Sampler::offset`](crate::Sampler::offset).
+    /// [`Sampler::pdf`] of a unit direction for each point, to the precision of [`Sampler::offset`].
     ///
     /// ```
     /// # use spherecap::{batch::{Batch, Densities}, Strategy, Vec3};
@@ -121,7 +122,7 @@ impl Batch<'_> {
         self.pdf_direction_with(Instructions::widest(), direction, densities)
     }
 
-    /// [`Sampler::pdf_on_sphere`](crate::Sampler::pdf_on_sphere) of a unit direction for each point: one that is known to point at the sphere.
+    /// [`Sampler::pdf_on_sphere`] of a unit direction for each point: one that is known to point at the sphere.
     ///
     /// ```
     /// # use spherecap::{batch::{Batch, Densities}, Strategy, Vec3};
@@ -142,7 +143,7 @@ impl Batch<'_> {
         self.pdf_on_sphere_with(Instructions::widest(), direction, densities)
     }
 
-    /// What is measured of each sphere, where [`Sampler::prepare`](crate::Sampler::prepare) succeeds; zeros elsewhere.
+    /// What is measured of each sphere, where [`Sampler::prepare`] succeeds; zeros elsewhere.
     ///
     /// ```
     /// # use spherecap::{batch::{Batch, Measures}, Strategy, Vec3};
@@ -181,6 +182,38 @@ impl Batch<'_> {
     /// If the arrays, the batch's own included, differ in length.
     pub fn importances(&self, strength: &[f32], importances: &mut [f32]) -> usize {
         self.importances_with(Instructions::widest(), strength, importances)
+    }
+}
+
+impl Sampler<f32> {
+    /// [`Sampler::sample`] for many pairs of random numbers: for resampling, or many shadow rays at one point.
+    ///
+    /// ```
+    /// use spherecap::{batch::Samples, Receiver, Sampler, Vec3};
+    ///
+    /// let sampler = Sampler::prepare(Receiver::new([0.0, 0.0, 1.0]), [2.0, 0.0, 0.5], 1.0)?;
+    /// let u: [&[f32]; 2] = [&[0.1, 0.3, 0.5, 0.7], &[0.4, 0.8, 0.2, 0.6]];
+    /// let mut z = [0.0; 4];
+    /// let direction = Vec3::new(None, None, Some(&mut z[..]));
+    /// sampler.sample_many(u, Samples { direction, ..Samples::default() });
+    /// assert_eq!(z[2], sampler.sample(0.5, 0.2).direction.z);
+    /// # Ok::<(), spherecap::Refusal>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If the arrays differ in length.
+    pub fn sample_many(&self, u: [&[f32]; 2], samples: Samples<'_>) {
+        self.sample_many_with(Instructions::widest(), u, samples);
+    }
+
+    /// The same by given instructions, for tests and benches.
+    ///
+    /// # Panics
+    /// If this CPU does not have them.
+    #[doc(hidden)]
+    pub fn sample_many_with(&self, instructions: Instructions, u: [&[f32]; 2], samples: Samples<'_>) {
+        let kernel = ManyKernel { sampler: *self };
+        run_slices(kernel, instructions, Strategy::default(), u, sample_numbers(samples));
     }
 }
 
@@ -325,6 +358,20 @@ impl Kernel<9, 12> for SampleKernel {
         let point = Input::new(strategy, [nx, ny, nz, cx, cy, cz, radius]);
         let (sample, distance, is_sampled) = point.sample([u0, u1]);
         point.results((distance, is_sampled), always::<L>(), sample_numbers(sample))
+    }
+}
+
+/// [`Sampler::sample`] of one sampler: two random numbers give a sample.
+#[derive(Clone, Copy)]
+pub(crate) struct ManyKernel {
+    pub sampler: Sampler<f32>,
+}
+
+impl Kernel<2, 12> for ManyKernel {
+    #[inline(always)]
+    fn run<L: Lane>(self, _: Strategy<L>, [u0, u1]: [L; 2]) -> ([L; 12], L::Mask) {
+        let sample = self.sampler.broadcast::<L>().sample(u0, u1);
+        (sample_numbers(sample), !always::<L>())
     }
 }
 

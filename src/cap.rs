@@ -24,7 +24,7 @@ mod horizon;
 mod share;
 mod sphere;
 
-use crate::lane::{branch, lit, Lane};
+use crate::lane::{branch, broadcast_fields, lit, Lane};
 use crate::vec3::Vec3;
 use core::f64::consts::PI;
 use frame::Frame;
@@ -79,6 +79,23 @@ pub struct Cap<L> {
     pub(crate) projected_above: L,
     pub(crate) projected_below: L,
 }
+
+broadcast_fields!(Cap {
+    towards_centre,
+    sideways,
+    normal,
+    up,
+    on_surface,
+    distance,
+    radius_sin,
+    radius_cos,
+    elevation_sin,
+    elevation_cos,
+    crescent,
+    rise,
+    projected_above,
+    projected_below
+});
 
 /// What is known of a cap before the horizon cuts it.
 #[derive(Clone, Copy)]

@@ -275,6 +275,49 @@ macro_rules! blend_fields {
 }
 pub(crate) use blend_fields;
 
+/// What is the same in every lane.
+pub(crate) trait Broadcast {
+    /// The same of another lane.
+    type Of<L: Lane>;
+    /// Its numbers in every lane.
+    fn broadcast<L: Lane>(self) -> Self::Of<L>;
+}
+
+impl Broadcast for f32 {
+    type Of<L: Lane> = L;
+    #[inline(always)]
+    fn broadcast<L: Lane>(self) -> L {
+        L::lit(f64::from(self))
+    }
+}
+
+impl<const N: usize> Broadcast for [f32; N] {
+    type Of<L: Lane> = [L; N];
+    #[inline(always)]
+    fn broadcast<L: Lane>(self) -> [L; N] {
+        // Not by a closure, which might not be inlined.
+        let mut lanes = [L::lit(0.0); N];
+        for (lane, number) in lanes.iter_mut().zip(self) {
+            *lane = number.broadcast();
+        }
+        lanes
+    }
+}
+
+/// [`Broadcast`] of a struct of lanes, field by field; the fields after `same` are not of lanes.
+macro_rules! broadcast_fields {
+    ($name:ident { $($field:ident),* $(; same $($same:ident),*)? }) => {
+        impl $crate::lane::Broadcast for $name<f32> {
+            type Of<L: $crate::lane::Lane> = $name<L>;
+            #[inline(always)]
+            fn broadcast<L: $crate::lane::Lane>(self) -> $name<L> {
+                $name { $($field: self.$field.broadcast(),)* $($($same: self.$same),*)? }
+            }
+        }
+    };
+}
+pub(crate) use broadcast_fields;
+
 /// As [`branch!`], and then what is done with the result: `fork!(Lane, mask, if_true, if_false, result => then)`. Where the lane
 /// [forks](Lane::FORKS), `then` is written on both sides.
 macro_rules! fork {

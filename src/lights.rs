@@ -36,7 +36,7 @@ pub use crate::choice::{Choice, Total};
 use crate::importance::importance_and_distance;
 use crate::input::{receiver_refusal, unit_or_zero, Refusal};
 use crate::lane::packet::arrays::{run_slices, Instructions, Kernel};
-use crate::lane::Lane;
+use crate::lane::{Broadcast, Lane};
 use crate::strategy::{Receiver, Strategy};
 use crate::vec3::Vec3;
 
@@ -94,8 +94,8 @@ impl Lights<'_> {
 /// [`Receiver::importance`] at one point: a light gives a number.
 #[derive(Clone, Copy)]
 pub(crate) struct LightsKernel {
-    normal: [f32; 3],
-    point: [f32; 3],
+    normal: Vec3<f32>,
+    point: Vec3<f32>,
 }
 
 impl LightsKernel {
@@ -103,7 +103,7 @@ impl LightsKernel {
     pub(crate) fn new(receiver: Receiver<f32>, point: [f32; 3]) -> Result<Self, Refusal> {
         match receiver_refusal(&receiver) {
             Some(refusal) => Err(refusal),
-            None => Ok(Self { normal: receiver.normal.into(), point }),
+            None => Ok(Self { normal: receiver.normal, point: point.into() }),
         }
     }
 }
@@ -111,15 +111,10 @@ impl LightsKernel {
 impl Kernel<5, 1> for LightsKernel {
     #[inline(always)]
     fn run<L: Lane>(self, strategy: Strategy<L>, [x, y, z, radius, strength]: [L; 5]) -> ([L; 1], L::Mask) {
-        let (unit, point) = (unit_or_zero(broadcast::<L>(self.normal)), broadcast::<L>(self.point));
+        let (unit, point) = (unit_or_zero(self.normal.broadcast::<L>()), self.point.broadcast::<L>());
         let centre = Vec3::new(x - point.x, y - point.y, z - point.z);
         let (importance, _) = importance_and_distance(unit, strategy, centre, radius, strength);
         // A light that is none is no error.
         ([importance], L::lit(0.0).lt(L::lit(0.0)))
     }
-}
-
-#[inline(always)]
-fn broadcast<L: Lane>([x, y, z]: [f32; 3]) -> Vec3<L> {
-    Vec3::new(L::lit(f64::from(x)), L::lit(f64::from(y)), L::lit(f64::from(z)))
 }

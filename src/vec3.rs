@@ -1,6 +1,6 @@
 //! Vectors of three lanes, with just the operations that the kernels need.
 
-use crate::lane::{blend_fields, Lane};
+use crate::lane::{blend_fields, broadcast_fields, Lane};
 use core::ops::{Div, Mul};
 
 /// A vector of three lanes, laid out as `[x, y, z]`. It converts from and into such an array, and so into what other libraries
@@ -105,6 +105,7 @@ impl<L: Lane> Div<L> for Vec3<L> {
 }
 
 blend_fields!(Vec3 { x, y, z });
+broadcast_fields!(Vec3 { x, y, z });
 
 impl<L> From<[L; 3]> for Vec3<L> {
     #[inline(always)]

@@ -9,7 +9,7 @@
 use super::horizon::Horizon;
 use super::sphere::Sphere;
 use crate::disk::shape_and_difference;
-use crate::lane::{blend_fields, lit, Lane};
+use crate::lane::{blend_fields, broadcast_fields, lit, Lane};
 
 /// The crescent. In cases 1 and 4 `tau` and `area` are zero, and the other fields are unspecified.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +35,7 @@ pub(crate) struct Crescent<L> {
     pub norm: L,
 }
 blend_fields!(Crescent { tau, area; only kappa, t_x, t_y, width, cut, shape, shape_difference, norm });
+broadcast_fields!(Crescent { tau, area, kappa, t_x, t_y, width, cut, shape, shape_difference, norm });
 
 impl<L: Lane> Crescent<L> {
     /// That of a sphere that the horizon cuts, with `v d` and `X d`.

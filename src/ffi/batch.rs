@@ -2,12 +2,12 @@
 
 #![allow(non_camel_case_types, clippy::missing_safety_doc)] // names and words are the C header's
 
-use super::calls::{enums, NULL_POINTER, OK};
+use super::calls::{enums, prepared, NULL_POINTER, OK};
 use super::instructions::instructions;
-use super::single::spherecap_status_t as Status;
+use super::single::{spherecap_sampler_t, spherecap_status_t as Status};
 use crate::batch::{
-    density_numbers, sample_numbers, ImportanceKernel, MeasuresKernel, PdfDirectionKernel, PdfKernel,
-    PdfOnSphereKernel, SampleKernel,
+    density_numbers, sample_numbers, ImportanceKernel, ManyKernel, MeasuresKernel, PdfDirectionKernel,
+    PdfKernel, PdfOnSphereKernel, SampleKernel,
 };
 use crate::input::is_fraction;
 use crate::lane::packet::arrays::{run, Kernel};
@@ -138,23 +138,50 @@ pub unsafe extern "C" fn spherecap_batch_sample(
 ) -> u32 {
     // SAFETY: the header's contract.
     let (batch, random, samples) = unsafe { (batch.as_ref(), random.as_ref(), samples.as_ref()) };
-    let (Some(batch), Some(&spherecap_batch_random_t { u0, u1 }), Some(samples)) = (batch, random, samples)
+    let (Some(batch), Some(&spherecap_batch_random_t { u0, u1 }), Some(&samples)) = (batch, random, samples)
     else {
         return NULL_POINTER;
     };
-    let spherecap_batch_samples_t { offset: [zenith, side, cosine], direction, distance, normal, density } =
-        *samples;
-    let outputs = sample_numbers(Sample {
-        offset: Offset { zenith, side, cosine },
-        direction: direction.into(),
-        distance,
-        normal: normal.into(),
-        density: density.into(),
-    });
+    let outputs = sample_numbers(samples.into());
     let [nx, ny, nz, cx, cy, cz, radius] = batch.points();
     let inputs = [nx, ny, nz, cx, cy, cz, radius, u0, u1];
     // SAFETY: the header's contract.
     unsafe { batch.run(SampleKernel, inputs, outputs, refused) }
+}
+
+/// Samples `count` directions towards the sphere of one sampler, with two random numbers for each: for resampling, or many shadow rays
+/// at one point.
+///
+/// Stores what `spherecap_sample` stores for each pair of random numbers, to the bit. The arrays of `random` and `samples` have one
+/// number for each sample; those that are stored to must not overlap each other or those that are read.
+///
+/// Errors: NULL_POINTER (of the arrays that are read, too), SAMPLER, INSTRUCTIONS, and the status with which the preparation of the
+/// sampler ended; then nothing is stored.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_sample_many(
+    sampler: *const spherecap_sampler_t,
+    count: usize,
+    random: *const spherecap_batch_random_t,
+    samples: *const spherecap_batch_samples_t,
+) -> u32 {
+    // SAFETY: the header's contract.
+    let (random, samples) = unsafe { (random.as_ref(), samples.as_ref()) };
+    let (Some(&spherecap_batch_random_t { u0, u1 }), Some(&samples)) = (random, samples) else {
+        return NULL_POINTER;
+    };
+    // SAFETY: the header's contract.
+    let (&sampler, instructions) = match unsafe { prepared::<f32>(sampler.cast()) } {
+        Ok(prepared) => prepared,
+        Err(status) => return status,
+    };
+    let inputs = [u0, u1];
+    if count > 0 && inputs.iter().any(|input| input.is_null()) {
+        return NULL_POINTER;
+    }
+    let outputs = sample_numbers(samples.into());
+    // SAFETY: the header's contract, and the CPU has these instructions.
+    unsafe { run(ManyKernel { sampler }, instructions, Strategy::default(), &inputs, &outputs, count) };
+    OK
 }
 
 /// `spherecap_pdf` for each point. The density is also zero where the sphere or the offset would be refused.
@@ -304,6 +331,25 @@ impl spherecap_batch_t {
             unsafe { refused.write(bad) };
         }
         OK
+    }
+}
+
+impl From<spherecap_batch_samples_t> for Sample<*mut f32> {
+    fn from(samples: spherecap_batch_samples_t) -> Self {
+        let spherecap_batch_samples_t {
+            offset: [zenith, side, cosine],
+            direction,
+            distance,
+            normal,
+            density,
+        } = samples;
+        Self {
+            offset: Offset { zenith, side, cosine },
+            direction: direction.into(),
+            distance,
+            normal: normal.into(),
+            density: density.into(),
+        }
     }
 }
 

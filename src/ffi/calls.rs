@@ -217,7 +217,7 @@ pub(super) fn enums(technique: u32, hemispheres: u32) -> Result<(Technique, Hemi
 ///
 /// # Safety
 /// `sampler` is NULL or points to a readable C sampler.
-unsafe fn prepared<'a, F: Precision>(
+pub(super) unsafe fn prepared<'a, F: Precision>(
     sampler: *const Prepared<F>,
 ) -> Result<(&'a Sampler<F>, Instructions), u32> {
     let instructions = instructions()?;

@@ -18,7 +18,7 @@ use super::Place;
 use crate::cap::{Cap, Crescent};
 use crate::disk::{power_per_height, shape};
 use crate::fits::CRESCENT;
-use crate::lane::{branch, lit, Blend, Lane, Only};
+use crate::lane::{branch, broadcast_fields, lit, Blend, Lane, Only};
 use crate::math::polynomial_of_two;
 use crate::offset::Offset;
 
@@ -28,6 +28,7 @@ use crate::offset::Offset;
 pub(super) struct Marginal<L> {
     coefficients: [L; 7],
 }
+broadcast_fields!(Marginal { coefficients });
 
 /// A slice through `(1, 0, 0)`, and how far along it to go.
 #[derive(Clone, Copy)]

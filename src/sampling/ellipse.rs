@@ -12,7 +12,7 @@ use super::split::{interior, Split};
 use super::Place;
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, DiskPoint};
-use crate::lane::{branch, lit, Lane};
+use crate::lane::{branch, broadcast_fields, lit, Lane};
 use crate::offset::Offset;
 
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +30,7 @@ pub(super) struct Ellipse<L> {
     /// `s X`: the height of the boundary circle's middle over its lower end.
     climb: L,
 }
+broadcast_fields!(Ellipse { crescent, inv_rest, beyond, middle, half_axis, climb });
 
 impl<L: Lane> Ellipse<L> {
     /// For samplers that never use it.

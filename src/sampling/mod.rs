@@ -23,7 +23,7 @@ mod solid_angle;
 mod split;
 
 use crate::cap::{Cap, Case};
-use crate::lane::{blend_fields, branch, lit, Blend, Lane};
+use crate::lane::{blend_fields, branch, broadcast_fields, lit, Blend, Lane};
 use crate::offset::Offset;
 use crate::strategy::{Hemispheres, Strategy, Technique};
 use crate::vec3::Vec3;
@@ -66,6 +66,10 @@ pub struct Sampler<L> {
     ellipse: ellipse::Ellipse<L>,
     marginal: crescent::Marginal<L>,
 }
+broadcast_fields!(Sampler {
+    cap, defensive, requested, inv_above, inv_below, sides, third_axis, whole, ellipse, marginal;
+    same technique, hemispheres
+});
 
 /// A direction that was placed in the cap.
 #[derive(Clone, Copy)]

@@ -5,7 +5,7 @@
 
 use crate::cap::Cap;
 use crate::disk::{disk_to_square, DiskPoint};
-use crate::lane::{blend_fields, lit, Lane};
+use crate::lane::{blend_fields, broadcast_fields, lit, Lane};
 use crate::offset::Offset;
 use core::f64::consts::PI;
 
@@ -19,6 +19,7 @@ pub(super) struct Whole<L> {
     pub inv_solid_angle: L,
 }
 blend_fields!(Whole { height, inv_solid_angle });
+broadcast_fields!(Whole { height, inv_solid_angle });
 
 impl<L: Lane> Whole<L> {
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! A region in two parts, of which one random number chooses one. Plain or projected, above the horizon or below, crescent or
 //! ellipse: a sampler makes all its choices so.
 
-use crate::lane::{branch, lit, Lane};
+use crate::lane::{branch, broadcast_fields, lit, Lane};
 
 /// The first part is chosen for random numbers below its share. What the choice leaves of a number, stretched to the unit interval,
 /// is used again in the part: so a stratum of numbers stays one.
@@ -11,6 +11,7 @@ pub(super) struct Split<L> {
     /// Probability of the first part, in [0, 1].
     pub share: L,
 }
+broadcast_fields!(Split { share });
 
 impl<L: Lane> Split<L> {
     /// Of which the second part is all.

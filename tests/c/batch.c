@@ -316,6 +316,53 @@ static void bad_input(void) {
     CHECK(is_rubbish(all.outputs[10][0]) && is_rubbish(all.outputs[11][0]));
 }
 
+// Many samples of one sampler: the bits of one at a time, for every length; and its bad input.
+static void many_of_one(void) {
+    const uint32_t null = SPHERECAP_STATUS_NULL_POINTER;
+    const float centre[3] = {2.0f, 0.5f, 0.3f};
+    for (size_t count = 0; count <= MOST; ++count) {
+        const arrays_t part = last(count);
+        const spherecap_batch_random_t random = {part.inputs[7], part.inputs[8]};
+        const spherecap_batch_samples_t samples = samples_of(&part);
+        spherecap_sampler_t sampler;
+        CHECK(prepare_for(count % 3, count / 3 % 2, count % 2 == 0 ? 0.0f : 0.25f, zenith, centre, 1.0f,
+                          &sampler) == SPHERECAP_STATUS_OK);
+        fill_outputs_with_rubbish();
+        CHECK(spherecap_sample_many(&sampler, count, &random, &samples) == SPHERECAP_STATUS_OK);
+        for (size_t i = 0; i < count; ++i) {
+            spherecap_sample_t sample;
+            (void)spherecap_sample(&sampler, random.u0[i], random.u1[i], &sample);
+            for (int k = 0; k < 12; ++k) {
+                CHECK(memcmp((const float *)&sample + k, &part.outputs[k][i], sizeof(float)) == 0);
+            }
+        }
+        for (int k = 0; k < 20; ++k) {
+            for (size_t i = 0; i < (k < 12 ? MOST - count : MOST); ++i) {
+                CHECK(is_rubbish(arrays.outputs[k][i]));
+            }
+        }
+    }
+    fill_outputs_with_rubbish();
+    const arrays_t all = last(MOST);
+    const spherecap_batch_random_t random = {all.inputs[7], all.inputs[8]};
+    const spherecap_batch_random_t no_u0 = {NULL, all.inputs[8]}, no_u1 = {all.inputs[7], NULL};
+    const spherecap_batch_samples_t samples = samples_of(&all);
+    spherecap_sampler_t sampler, unprepared;
+    memset(&unprepared, 0, sizeof unprepared);
+    CHECK(prepare_for(0, 0, 0.0f, zenith, centre, 1.0f, &sampler) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_sample_many(NULL, MOST, &random, &samples) == null);
+    CHECK(spherecap_sample_many(&sampler, MOST, NULL, &samples) == null);
+    CHECK(spherecap_sample_many(&sampler, MOST, &random, NULL) == null);
+    CHECK(spherecap_sample_many(&sampler, MOST, &no_u0, &samples) == null);
+    CHECK(spherecap_sample_many(&sampler, MOST, &no_u1, &samples) == null);
+    CHECK(spherecap_sample_many(&unprepared, MOST, &random, &samples) == SPHERECAP_STATUS_SAMPLER);
+    // It has nothing to sample.
+    const float below[3] = {0.0f, 0.0f, -2.0f};
+    CHECK(prepare_for(0, 0, 0.0f, zenith, below, 1.0f, &sampler) == SPHERECAP_STATUS_INVISIBLE);
+    CHECK(spherecap_sample_many(&sampler, MOST, &random, &samples) == SPHERECAP_STATUS_INVISIBLE);
+    CHECK(is_rubbish(all.outputs[3][0]) && is_rubbish(all.outputs[10][MOST - 1]));
+}
+
 int main(int count, char **arguments) {
     choose_mode(count, arguments);
     allocate();
@@ -324,6 +371,7 @@ int main(int count, char **arguments) {
     nothing();
     only_what_is_wanted();
     bad_input();
+    many_of_one();
     puts(spherecap_batch_instructions());
     return 0;
 }

@@ -2,7 +2,7 @@
 //! has, for arrays of any length, at any address.
 
 use crate::common::strata::{scene, STRATA};
-use crate::common::{hard_scenes, lanes, reference_caps, Random, Scene, TECHNIQUES};
+use crate::common::{hard_scenes, lanes, reference_caps, strategies, Random, Scene, TECHNIQUES};
 use spherecap::batch::{Batch, Densities, Instructions, Measures, Samples};
 use spherecap::{
     Density, Hemispheres, Offset, Receiver, Refusal, Sample, Sampler, Strategy, Vec3, UNIT_TOLERANCE,
@@ -250,6 +250,52 @@ fn batches_give_the_bits_of_scalars() {
             "{strategy:?}: {sampled} of {count}"
         );
     }
+}
+
+/// With numbers on the ends of [0, 1] and outside, and NaN.
+#[test]
+fn many_samples_of_one_sampler_are_those_of_one_at_a_time() {
+    let mut random = Random(8);
+    let mut arrays = Arrays::default();
+    let scenes = hard_scenes(&mut random);
+    for scene in &scenes {
+        arrays.push(scene, &mut random);
+    }
+    arrays.u[0][3] = f32::NAN;
+    arrays.u[1][4] = 2.0;
+    let u = arrays.u.each_ref().map(Vec::as_slice);
+    let mut sampled = 0;
+    for strategy in strategies::<f32>() {
+        for scene in &scenes {
+            let Ok(sampler) = scene.prepare(strategy) else { continue };
+            let expected: Vec<[u32; 6]> =
+                u[0].iter().zip(u[1]).map(|(&u0, &u1)| bits(sampler.sample(u0, u1))).collect();
+            for &set in &instruction_sets() {
+                let mut results = [(); 6].map(|()| vec![CANARY; u[0].len()]);
+                let [x, y, z, distance, cosine, pdf] = results.each_mut().map(|result| Some(&mut result[..]));
+                let samples = Samples {
+                    offset: Offset { zenith: None, side: None, cosine },
+                    direction: Vec3::new(x, y, z),
+                    distance,
+                    density: Density { solid_angle: pdf, projected_solid_angle: None },
+                    ..Samples::default()
+                };
+                sampler.sample_many_with(set, u, samples);
+                for (i, expected) in expected.iter().enumerate() {
+                    let found = results.each_ref().map(|result| result[i].to_bits());
+                    assert_eq!(found, *expected, "{set}, {strategy:?}, {scene:?}: numbers {i}");
+                    sampled += 1;
+                }
+            }
+        }
+    }
+    assert!(sampled > 100_000, "only {sampled} samples were compared");
+}
+
+/// Of a sample, what the test above asks for.
+fn bits(sample: Sample<f32>) -> [u32; 6] {
+    let Sample { direction: w, distance, offset, density, .. } = sample;
+    [w.x, w.y, w.z, distance, offset.cosine, density.solid_angle].map(f32::to_bits)
 }
 
 #[test]
