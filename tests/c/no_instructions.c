@@ -48,6 +48,7 @@ int main(void) {
     const spherecap_batch_samples_t samples = {
         {NULL, NULL, NULL}, {NULL, NULL, NULL}, NULL, {NULL, NULL, NULL}, {NULL, NULL}};
     CHECK(spherecap_batch_sample(&batch, &random, &samples, NULL) == expected);
+    CHECK(spherecap_sample_many(&sampler, 0, &random, &samples) == expected);
     CHECK(spherecap_batch_pdf(&batch, &offsets, &densities, NULL) == expected);
     CHECK(spherecap_batch_pdf_direction(&batch, &directions, &densities, NULL) == expected);
     CHECK(spherecap_batch_pdf_on_sphere(&batch, &directions, &densities, NULL) == expected);
