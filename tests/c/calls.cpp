@@ -131,6 +131,13 @@ void call_the_batches() {
     CHECK(spherecap_batch_sample(&batch, &random, &samples, &refused) == SPHERECAP_STATUS_OK);
     CHECK(refused == 0 && *std::min_element(pdf.begin(), pdf.end()) > 0.0f);
 
+    const spherecap_receiver_t receiver{{0.0f, 0.0f, 1.0f}, 0, 0, 0.0f};
+    const float centre[3] = {3.0f, 0.0f, 0.0f};
+    spherecap_sampler_t sampler;
+    CHECK(spherecap_prepare(&receiver, centre, 1.0f, &sampler) == SPHERECAP_STATUS_OK);
+    CHECK(spherecap_sample_many(&sampler, count, &random, &samples) == SPHERECAP_STATUS_OK);
+    CHECK(*std::min_element(pdf.begin(), pdf.end()) > 0.0f);
+
     const spherecap_batch_directions_t directions{x.data(), y.data(), z.data()};
     const spherecap_batch_offsets_t offsets{zeros.data(), zeros.data(), halves.data()};
     const spherecap_batch_densities_t densities{pdf.data(), nullptr};
