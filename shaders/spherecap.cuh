@@ -361,21 +361,20 @@ static __device__ inline spherecap_sample spherecap_surface_sample(spherecap_sur
     const float t7 = 1.0f - t5;
     const float t8 = t5 - t7;
     const float t9 = 4.0f * t5 * t7;
-    float t10 = 0.0f;
-    float t11 = 0.0f;
-    float t12 = 0.0f;
-    float t13 = 0.0f;
+    const float t10 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t11 = t2 ? spherecap_min(t10, 0.99999994f) : t4;
+    const float t12 = t2 ? light.beyond : 0.0f;
+    const float t13 = 3.1415927f - t12;
+    const float t14 = fmaf(t11, t13, t12);
+    const float t15 = (1.0f - t11) * t13;
+    float t16 = 0.0f;
+    float t17 = 0.0f;
+    float t18 = 0.0f;
+    float t19 = 0.0f;
     if (t6) {
-        const float t14 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-        const float t15 = t2 ? spherecap_min(t14, 0.99999994f) : t4;
-        const float t16 = t2 ? light.beyond : 0.0f;
-        const float t17 = 3.1415927f - t16;
-        const float t18 = fmaf(t15, t17, t16);
-        const float t19 = (1.0f - t15) * t17;
-        t10 = spherecap_min(t18, t19) * 0.53033006f;
-        t11 = 1.0f;
-        t12 = 1.0f;
-        t13 = t18 - t19;
+        t17 = spherecap_min(t14, t15) * 0.53033006f;
+        t18 = 1.0f;
+        t19 = 1.0f;
     } else {
         const float t20 = sqrtf(t9);
         const float t21 = fmaf(fmaf(light.coefficients_6, t9, light.coefficients_4), t9, light.coefficients_2);
@@ -390,23 +389,23 @@ static __device__ inline spherecap_sample spherecap_surface_sample(spherecap_sur
         const float t30 = t26 * t29;
         const float t31 = t30 * t30;
         const float t32 = fmaf(fmaf(fmaf(-0.00060778117f, t31, -0.0027203285f), t31, -0.10000902f), t30, fmaf(fmaf(1.0676054e-5f, t31, -0.011332183f), t31, 1.0000001f));
-        t10 = t3 ? t4 : spherecap_min(spherecap_max(t28, 5.9604645e-8f), 0.99999994f);
-        t11 = t29 * t32;
-        t12 = t26;
-        t13 = t3 ? t25 : t20;
+        t16 = t3 ? t25 : t20;
+        t17 = t3 ? t4 : spherecap_min(spherecap_max(t28, 5.9604645e-8f), 0.99999994f);
+        t18 = t29 * t32;
+        t19 = t26;
     }
-    const float t33 = spherecap_float_of_bits(fmaf(spherecap_bits(t10), -0.33333334f, 1419900500.0f));
-    const float t34 = fmaf(-(t10 * t33), t33 * t33, 1.0f);
+    const float t33 = spherecap_float_of_bits(fmaf(spherecap_bits(t17), -0.33333334f, 1419900500.0f));
+    const float t34 = fmaf(-(t17 * t33), t33 * t33, 1.0f);
     const float t35 = t34 * t34;
     const float t36 = fmaf(fmaf(fmaf(0.110958695f, t35, 0.14403293f), t35, 0.22222222f), t34, fmaf(fmaf(0.12482853f, t35, 0.17283951f), t35, 0.33333334f));
-    const float t37 = t11 * (t10 * fmaf(t33, t34 * t36, t33));
-    const float t38 = t37 * t12;
+    const float t37 = t18 * (t17 * fmaf(t33, t34 * t36, t33));
+    const float t38 = t37 * t19;
     const float t39 = t38 * t38;
     const float t40 = fmaf(fmaf(fmaf(-0.063446075f, t39, -0.056249518f), t39, 0.0074712755f), t39, 0.09996679f);
     const float t41 = fmaf(fmaf(fmaf(0.022114987f, t39, 0.085662976f), t39, 0.030445365f), t39, 0.03209764f);
     const float t42 = t37 * fmaf(t40, t38, fmaf(t41, t39, 1.0000004f));
     const float t43 = t6 ? spherecap_min(t42, 1.0f) : t42;
-    const float t44 = t12 * t43;
+    const float t44 = t19 * t43;
     const float t45 = 2.0f - t44;
     const float t46 = t43 * t45;
     const float t47 = sqrtf(t46);
@@ -416,7 +415,7 @@ static __device__ inline spherecap_sample spherecap_surface_sample(spherecap_sur
     float side = 0.0f;
     float cosine = 0.0f;
     if (t6) {
-        const float t50 = t13 < 0.0f ? t44 : t45;
+        const float t50 = t14 - t15 < 0.0f ? t44 : t45;
         const float t51 = t46 * t9;
         const float t52 = 1.0f - t50;
         const float t53 = spherecap_max(fmaf(light.climb, t50, -light.rise), 0.0f);
@@ -430,7 +429,7 @@ static __device__ inline spherecap_sample spherecap_surface_sample(spherecap_sur
         side = light.radius_sin * t47 * t8;
         cosine = t54;
     } else {
-        const float t58 = t47 * t13;
+        const float t58 = t47 * t16;
         const float t59 = 1.0f - t44;
         t48 = t59;
         t49 = t58;
@@ -874,21 +873,20 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
     const float t12 = 1.0f - t4;
     const float t13 = t4 - t12;
     const float t14 = 4.0f * t4 * t12;
-    float t15 = 0.0f;
-    float t16 = 0.0f;
-    float t17 = 0.0f;
-    float t18 = 0.0f;
+    const float t15 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t16 = t9 ? t8 : spherecap_min(t15, 0.99999994f);
+    const float t17 = t9 ? 0.0f : light.beyond;
+    const float t18 = 3.1415927f - t17;
+    const float t19 = fmaf(t16, t18, t17);
+    const float t20 = (1.0f - t16) * t18;
+    float t21 = 0.0f;
+    float t22 = 0.0f;
+    float t23 = 0.0f;
+    float t24 = 0.0f;
     if (t11) {
-        const float t19 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-        const float t20 = t9 ? t8 : spherecap_min(t19, 0.99999994f);
-        const float t21 = t9 ? 0.0f : light.beyond;
-        const float t22 = 3.1415927f - t21;
-        const float t23 = fmaf(t20, t22, t21);
-        const float t24 = (1.0f - t20) * t22;
-        t15 = spherecap_min(t23, t24) * 0.53033006f;
-        t16 = 1.0f;
-        t17 = 1.0f;
-        t18 = t23 - t24;
+        t22 = spherecap_min(t19, t20) * 0.53033006f;
+        t23 = 1.0f;
+        t24 = 1.0f;
     } else {
         const float t25 = sqrtf(t14);
         const float t26 = fmaf(fmaf(light.coefficients_6, t14, light.coefficients_4), t14, light.coefficients_2);
@@ -903,23 +901,23 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
         const float t35 = t31 * t34;
         const float t36 = t35 * t35;
         const float t37 = fmaf(fmaf(fmaf(-0.00060778117f, t36, -0.0027203285f), t36, -0.10000902f), t35, fmaf(fmaf(1.0676054e-5f, t36, -0.011332183f), t36, 1.0000001f));
-        t15 = t10 ? t8 : spherecap_min(spherecap_max(t33, 5.9604645e-8f), 0.99999994f);
-        t16 = t34 * t37;
-        t17 = t31;
-        t18 = t10 ? t30 : t25;
+        t21 = t10 ? t30 : t25;
+        t22 = t10 ? t8 : spherecap_min(spherecap_max(t33, 5.9604645e-8f), 0.99999994f);
+        t23 = t34 * t37;
+        t24 = t31;
     }
-    const float t38 = spherecap_float_of_bits(fmaf(spherecap_bits(t15), -0.33333334f, 1419900500.0f));
-    const float t39 = fmaf(-(t15 * t38), t38 * t38, 1.0f);
+    const float t38 = spherecap_float_of_bits(fmaf(spherecap_bits(t22), -0.33333334f, 1419900500.0f));
+    const float t39 = fmaf(-(t22 * t38), t38 * t38, 1.0f);
     const float t40 = t39 * t39;
     const float t41 = fmaf(fmaf(fmaf(0.110958695f, t40, 0.14403293f), t40, 0.22222222f), t39, fmaf(fmaf(0.12482853f, t40, 0.17283951f), t40, 0.33333334f));
-    const float t42 = t16 * (t15 * fmaf(t38, t39 * t41, t38));
-    const float t43 = t42 * t17;
+    const float t42 = t23 * (t22 * fmaf(t38, t39 * t41, t38));
+    const float t43 = t42 * t24;
     const float t44 = t43 * t43;
     const float t45 = fmaf(fmaf(fmaf(-0.063446075f, t44, -0.056249518f), t44, 0.0074712755f), t44, 0.09996679f);
     const float t46 = fmaf(fmaf(fmaf(0.022114987f, t44, 0.085662976f), t44, 0.030445365f), t44, 0.03209764f);
     const float t47 = t42 * fmaf(t45, t43, fmaf(t46, t44, 1.0000004f));
     const float t48 = t11 ? spherecap_min(t47, 1.0f) : t47;
-    const float t49 = t17 * t48;
+    const float t49 = t24 * t48;
     const float t50 = 2.0f - t49;
     const float t51 = t48 * t50;
     const float t52 = sqrtf(t51);
@@ -929,7 +927,7 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
     float side = 0.0f;
     float cosine = 0.0f;
     if (t11) {
-        const float t55 = t18 < 0.0f ? t49 : t50;
+        const float t55 = t19 - t20 < 0.0f ? t49 : t50;
         const float t56 = t51 * t14;
         float t57 = 0.0f;
         float t58 = 0.0f;
@@ -966,7 +964,7 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
         side = t60;
         cosine = t61;
     } else {
-        const float t73 = t52 * t18;
+        const float t73 = t52 * t21;
         const float t74 = 1.0f - t49;
         t53 = t74;
         t54 = t73;
@@ -1472,21 +1470,20 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
     const float t17 = 1.0f - t5;
     const float t18 = t5 - t17;
     const float t19 = 4.0f * t5 * t17;
-    float t20 = 0.0f;
-    float t21 = 0.0f;
-    float t22 = 0.0f;
-    float t23 = 0.0f;
+    const float t20 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t21 = t14 ? t13 : spherecap_min(t20, 0.99999994f);
+    const float t22 = t14 ? 0.0f : light.beyond;
+    const float t23 = 3.1415927f - t22;
+    const float t24 = fmaf(t21, t23, t22);
+    const float t25 = (1.0f - t21) * t23;
+    float t26 = 0.0f;
+    float t27 = 0.0f;
+    float t28 = 0.0f;
+    float t29 = 0.0f;
     if (t16) {
-        const float t24 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-        const float t25 = t14 ? t13 : spherecap_min(t24, 0.99999994f);
-        const float t26 = t14 ? 0.0f : light.beyond;
-        const float t27 = 3.1415927f - t26;
-        const float t28 = fmaf(t25, t27, t26);
-        const float t29 = (1.0f - t25) * t27;
-        t20 = spherecap_min(t28, t29) * 0.53033006f;
-        t21 = 1.0f;
-        t22 = 1.0f;
-        t23 = t28 - t29;
+        t27 = spherecap_min(t24, t25) * 0.53033006f;
+        t28 = 1.0f;
+        t29 = 1.0f;
     } else {
         const float t30 = sqrtf(t19);
         const float t31 = fmaf(fmaf(light.coefficients_6, t19, light.coefficients_4), t19, light.coefficients_2);
@@ -1502,23 +1499,23 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
         const float t41 = t36 * t40;
         const float t42 = t41 * t41;
         const float t43 = fmaf(fmaf(fmaf(-0.00060778117f, t42, -0.0027203285f), t42, -0.10000902f), t41, fmaf(fmaf(1.0676054e-5f, t42, -0.011332183f), t42, 1.0000001f));
-        t20 = t39;
-        t21 = t40 * t43;
-        t22 = t36;
-        t23 = t15 ? t35 : t30;
+        t26 = t15 ? t35 : t30;
+        t27 = t39;
+        t28 = t40 * t43;
+        t29 = t36;
     }
-    const float t44 = spherecap_float_of_bits(fmaf(spherecap_bits(t20), -0.33333334f, 1419900500.0f));
-    const float t45 = fmaf(-(t20 * t44), t44 * t44, 1.0f);
+    const float t44 = spherecap_float_of_bits(fmaf(spherecap_bits(t27), -0.33333334f, 1419900500.0f));
+    const float t45 = fmaf(-(t27 * t44), t44 * t44, 1.0f);
     const float t46 = t45 * t45;
     const float t47 = fmaf(fmaf(fmaf(0.110958695f, t46, 0.14403293f), t46, 0.22222222f), t45, fmaf(fmaf(0.12482853f, t46, 0.17283951f), t46, 0.33333334f));
-    const float t48 = t21 * (t20 * fmaf(t44, t45 * t47, t44));
-    const float t49 = t48 * t22;
+    const float t48 = t28 * (t27 * fmaf(t44, t45 * t47, t44));
+    const float t49 = t48 * t29;
     const float t50 = t49 * t49;
     const float t51 = fmaf(fmaf(fmaf(-0.063446075f, t50, -0.056249518f), t50, 0.0074712755f), t50, 0.09996679f);
     const float t52 = fmaf(fmaf(fmaf(0.022114987f, t50, 0.085662976f), t50, 0.030445365f), t50, 0.03209764f);
     const float t53 = t48 * fmaf(t51, t49, fmaf(t52, t50, 1.0000004f));
     const float t54 = t16 ? spherecap_min(t53, 1.0f) : t53;
-    const float t55 = t22 * t54;
+    const float t55 = t29 * t54;
     const float t56 = 2.0f - t55;
     const float t57 = t54 * t56;
     const float t58 = sqrtf(t57);
@@ -1528,7 +1525,7 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
     float side = 0.0f;
     float t62 = 0.0f;
     if (t16) {
-        const float t63 = t23 < 0.0f ? t55 : t56;
+        const float t63 = t24 - t25 < 0.0f ? t55 : t56;
         const float t64 = t57 * t19;
         float t65 = 0.0f;
         float t66 = 0.0f;
@@ -1565,7 +1562,7 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
         side = t68;
         t62 = t69;
     } else {
-        const float t81 = t58 * t23;
+        const float t81 = t58 * t26;
         const float t82 = 1.0f - t55;
         t59 = t82;
         t60 = t81;

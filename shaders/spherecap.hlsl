@@ -380,21 +380,20 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
     float t7 = 1.0 - t5;
     float t8 = t5 - t7;
     float t9 = 4.0 * t5 * t7;
-    float t10 = 0.0;
-    float t11 = 0.0;
-    float t12 = 0.0;
-    float t13 = 0.0;
+    float t10 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+    float t11 = t2 ? spherecap_min(t10, 0.99999994) : t4;
+    float t12 = t2 ? light.beyond : 0.0;
+    float t13 = 3.1415927 - t12;
+    float t14 = mad(t11, t13, t12);
+    float t15 = (1.0 - t11) * t13;
+    float t16 = 0.0;
+    float t17 = 0.0;
+    float t18 = 0.0;
+    float t19 = 0.0;
     if (t6) {
-        float t14 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        float t15 = t2 ? spherecap_min(t14, 0.99999994) : t4;
-        float t16 = t2 ? light.beyond : 0.0;
-        float t17 = 3.1415927 - t16;
-        float t18 = mad(t15, t17, t16);
-        float t19 = (1.0 - t15) * t17;
-        t10 = spherecap_min(t18, t19) * 0.53033006;
-        t11 = 1.0;
-        t12 = 1.0;
-        t13 = t18 - t19;
+        t17 = spherecap_min(t14, t15) * 0.53033006;
+        t18 = 1.0;
+        t19 = 1.0;
     } else {
         float t20 = sqrt(t9);
         float t21 = mad(mad(light.coefficients_6, t9, light.coefficients_4), t9, light.coefficients_2);
@@ -409,23 +408,23 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
         float t30 = t26 * t29;
         float t31 = t30 * t30;
         float t32 = mad(mad(mad(-0.00060778117, t31, -0.0027203285), t31, -0.10000902), t30, mad(mad(1.0676054e-5, t31, -0.011332183), t31, 1.0000001));
-        t10 = t3 ? t4 : spherecap_min(spherecap_max(t28, 5.9604645e-8), 0.99999994);
-        t11 = t29 * t32;
-        t12 = t26;
-        t13 = t3 ? t25 : t20;
+        t16 = t3 ? t25 : t20;
+        t17 = t3 ? t4 : spherecap_min(spherecap_max(t28, 5.9604645e-8), 0.99999994);
+        t18 = t29 * t32;
+        t19 = t26;
     }
-    float t33 = spherecap_float_of_bits(mad(spherecap_bits(t10), -0.33333334, 1419900500.0));
-    float t34 = mad(-(t10 * t33), t33 * t33, 1.0);
+    float t33 = spherecap_float_of_bits(mad(spherecap_bits(t17), -0.33333334, 1419900500.0));
+    float t34 = mad(-(t17 * t33), t33 * t33, 1.0);
     float t35 = t34 * t34;
     float t36 = mad(mad(mad(0.110958695, t35, 0.14403293), t35, 0.22222222), t34, mad(mad(0.12482853, t35, 0.17283951), t35, 0.33333334));
-    float t37 = t11 * (t10 * mad(t33, t34 * t36, t33));
-    float t38 = t37 * t12;
+    float t37 = t18 * (t17 * mad(t33, t34 * t36, t33));
+    float t38 = t37 * t19;
     float t39 = t38 * t38;
     float t40 = mad(mad(mad(-0.063446075, t39, -0.056249518), t39, 0.0074712755), t39, 0.09996679);
     float t41 = mad(mad(mad(0.022114987, t39, 0.085662976), t39, 0.030445365), t39, 0.03209764);
     float t42 = t37 * mad(t40, t38, mad(t41, t39, 1.0000004));
     float t43 = t6 ? spherecap_min(t42, 1.0) : t42;
-    float t44 = t12 * t43;
+    float t44 = t19 * t43;
     float t45 = 2.0 - t44;
     float t46 = t43 * t45;
     float t47 = sqrt(t46);
@@ -435,7 +434,7 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
     float side = 0.0;
     float cosine = 0.0;
     if (t6) {
-        float t50 = t13 < 0.0 ? t44 : t45;
+        float t50 = t14 - t15 < 0.0 ? t44 : t45;
         float t51 = t46 * t9;
         float t52 = 1.0 - t50;
         float t53 = spherecap_max(mad(light.climb, t50, -light.rise), 0.0);
@@ -449,7 +448,7 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
         side = light.radius_sin * t47 * t8;
         cosine = t54;
     } else {
-        float t58 = t47 * t13;
+        float t58 = t47 * t16;
         float t59 = 1.0 - t44;
         t48 = t59;
         t49 = t58;
@@ -890,21 +889,20 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
     float t12 = 1.0 - t4;
     float t13 = t4 - t12;
     float t14 = 4.0 * t4 * t12;
-    float t15 = 0.0;
-    float t16 = 0.0;
-    float t17 = 0.0;
-    float t18 = 0.0;
+    float t15 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+    float t16 = t9 ? t8 : spherecap_min(t15, 0.99999994);
+    float t17 = t9 ? 0.0 : light.beyond;
+    float t18 = 3.1415927 - t17;
+    float t19 = mad(t16, t18, t17);
+    float t20 = (1.0 - t16) * t18;
+    float t21 = 0.0;
+    float t22 = 0.0;
+    float t23 = 0.0;
+    float t24 = 0.0;
     if (t11) {
-        float t19 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        float t20 = t9 ? t8 : spherecap_min(t19, 0.99999994);
-        float t21 = t9 ? 0.0 : light.beyond;
-        float t22 = 3.1415927 - t21;
-        float t23 = mad(t20, t22, t21);
-        float t24 = (1.0 - t20) * t22;
-        t15 = spherecap_min(t23, t24) * 0.53033006;
-        t16 = 1.0;
-        t17 = 1.0;
-        t18 = t23 - t24;
+        t22 = spherecap_min(t19, t20) * 0.53033006;
+        t23 = 1.0;
+        t24 = 1.0;
     } else {
         float t25 = sqrt(t14);
         float t26 = mad(mad(light.coefficients_6, t14, light.coefficients_4), t14, light.coefficients_2);
@@ -919,23 +917,23 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
         float t35 = t31 * t34;
         float t36 = t35 * t35;
         float t37 = mad(mad(mad(-0.00060778117, t36, -0.0027203285), t36, -0.10000902), t35, mad(mad(1.0676054e-5, t36, -0.011332183), t36, 1.0000001));
-        t15 = t10 ? t8 : spherecap_min(spherecap_max(t33, 5.9604645e-8), 0.99999994);
-        t16 = t34 * t37;
-        t17 = t31;
-        t18 = t10 ? t30 : t25;
+        t21 = t10 ? t30 : t25;
+        t22 = t10 ? t8 : spherecap_min(spherecap_max(t33, 5.9604645e-8), 0.99999994);
+        t23 = t34 * t37;
+        t24 = t31;
     }
-    float t38 = spherecap_float_of_bits(mad(spherecap_bits(t15), -0.33333334, 1419900500.0));
-    float t39 = mad(-(t15 * t38), t38 * t38, 1.0);
+    float t38 = spherecap_float_of_bits(mad(spherecap_bits(t22), -0.33333334, 1419900500.0));
+    float t39 = mad(-(t22 * t38), t38 * t38, 1.0);
     float t40 = t39 * t39;
     float t41 = mad(mad(mad(0.110958695, t40, 0.14403293), t40, 0.22222222), t39, mad(mad(0.12482853, t40, 0.17283951), t40, 0.33333334));
-    float t42 = t16 * (t15 * mad(t38, t39 * t41, t38));
-    float t43 = t42 * t17;
+    float t42 = t23 * (t22 * mad(t38, t39 * t41, t38));
+    float t43 = t42 * t24;
     float t44 = t43 * t43;
     float t45 = mad(mad(mad(-0.063446075, t44, -0.056249518), t44, 0.0074712755), t44, 0.09996679);
     float t46 = mad(mad(mad(0.022114987, t44, 0.085662976), t44, 0.030445365), t44, 0.03209764);
     float t47 = t42 * mad(t45, t43, mad(t46, t44, 1.0000004));
     float t48 = t11 ? spherecap_min(t47, 1.0) : t47;
-    float t49 = t17 * t48;
+    float t49 = t24 * t48;
     float t50 = 2.0 - t49;
     float t51 = t48 * t50;
     float t52 = sqrt(t51);
@@ -945,7 +943,7 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
     float side = 0.0;
     float cosine = 0.0;
     if (t11) {
-        float t55 = t18 < 0.0 ? t49 : t50;
+        float t55 = t19 - t20 < 0.0 ? t49 : t50;
         float t56 = t51 * t14;
         float t57 = 0.0;
         float t58 = 0.0;
@@ -982,7 +980,7 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
         side = t60;
         cosine = t61;
     } else {
-        float t73 = t52 * t18;
+        float t73 = t52 * t21;
         float t74 = 1.0 - t49;
         t53 = t74;
         t54 = t73;
@@ -1485,21 +1483,20 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     float t17 = 1.0 - t5;
     float t18 = t5 - t17;
     float t19 = 4.0 * t5 * t17;
-    float t20 = 0.0;
-    float t21 = 0.0;
-    float t22 = 0.0;
-    float t23 = 0.0;
+    float t20 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+    float t21 = t14 ? t13 : spherecap_min(t20, 0.99999994);
+    float t22 = t14 ? 0.0 : light.beyond;
+    float t23 = 3.1415927 - t22;
+    float t24 = mad(t21, t23, t22);
+    float t25 = (1.0 - t21) * t23;
+    float t26 = 0.0;
+    float t27 = 0.0;
+    float t28 = 0.0;
+    float t29 = 0.0;
     if (t16) {
-        float t24 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        float t25 = t14 ? t13 : spherecap_min(t24, 0.99999994);
-        float t26 = t14 ? 0.0 : light.beyond;
-        float t27 = 3.1415927 - t26;
-        float t28 = mad(t25, t27, t26);
-        float t29 = (1.0 - t25) * t27;
-        t20 = spherecap_min(t28, t29) * 0.53033006;
-        t21 = 1.0;
-        t22 = 1.0;
-        t23 = t28 - t29;
+        t27 = spherecap_min(t24, t25) * 0.53033006;
+        t28 = 1.0;
+        t29 = 1.0;
     } else {
         float t30 = sqrt(t19);
         float t31 = mad(mad(light.coefficients_6, t19, light.coefficients_4), t19, light.coefficients_2);
@@ -1514,23 +1511,23 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
         float t40 = t36 * t39;
         float t41 = t40 * t40;
         float t42 = mad(mad(mad(-0.00060778117, t41, -0.0027203285), t41, -0.10000902), t40, mad(mad(1.0676054e-5, t41, -0.011332183), t41, 1.0000001));
-        t20 = t15 ? t13 : spherecap_min(spherecap_max(t38, 5.9604645e-8), 0.99999994);
-        t21 = t39 * t42;
-        t22 = t36;
-        t23 = t15 ? t35 : t30;
+        t26 = t15 ? t35 : t30;
+        t27 = t15 ? t13 : spherecap_min(spherecap_max(t38, 5.9604645e-8), 0.99999994);
+        t28 = t39 * t42;
+        t29 = t36;
     }
-    float t43 = spherecap_float_of_bits(mad(spherecap_bits(t20), -0.33333334, 1419900500.0));
-    float t44 = mad(-(t20 * t43), t43 * t43, 1.0);
+    float t43 = spherecap_float_of_bits(mad(spherecap_bits(t27), -0.33333334, 1419900500.0));
+    float t44 = mad(-(t27 * t43), t43 * t43, 1.0);
     float t45 = t44 * t44;
     float t46 = mad(mad(mad(0.110958695, t45, 0.14403293), t45, 0.22222222), t44, mad(mad(0.12482853, t45, 0.17283951), t45, 0.33333334));
-    float t47 = t21 * (t20 * mad(t43, t44 * t46, t43));
-    float t48 = t47 * t22;
+    float t47 = t28 * (t27 * mad(t43, t44 * t46, t43));
+    float t48 = t47 * t29;
     float t49 = t48 * t48;
     float t50 = mad(mad(mad(-0.063446075, t49, -0.056249518), t49, 0.0074712755), t49, 0.09996679);
     float t51 = mad(mad(mad(0.022114987, t49, 0.085662976), t49, 0.030445365), t49, 0.03209764);
     float t52 = t47 * mad(t50, t48, mad(t51, t49, 1.0000004));
     float t53 = t16 ? spherecap_min(t52, 1.0) : t52;
-    float t54 = t22 * t53;
+    float t54 = t29 * t53;
     float t55 = 2.0 - t54;
     float t56 = t53 * t55;
     float t57 = sqrt(t56);
@@ -1540,7 +1537,7 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     float side = 0.0;
     float t61 = 0.0;
     if (t16) {
-        float t62 = t23 < 0.0 ? t54 : t55;
+        float t62 = t24 - t25 < 0.0 ? t54 : t55;
         float t63 = t56 * t19;
         float t64 = 0.0;
         float t65 = 0.0;
@@ -1577,7 +1574,7 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
         side = t67;
         t61 = t68;
     } else {
-        float t80 = t57 * t23;
+        float t80 = t57 * t26;
         float t81 = 1.0 - t54;
         t58 = t81;
         t59 = t80;

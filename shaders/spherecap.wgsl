@@ -382,21 +382,20 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     let t7 = 1.0 - t5;
     let t8 = t5 - t7;
     let t9 = 4.0 * t5 * t7;
-    var t10 = 0.0;
-    var t11 = 0.0;
-    var t12 = 0.0;
-    var t13 = 0.0;
+    let t10 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+    let t11 = select(t4, spherecap_min(t10, 0.99999994), t2);
+    let t12 = select(0.0, light.beyond, t2);
+    let t13 = 3.1415927 - t12;
+    let t14 = fma(t11, t13, t12);
+    let t15 = (1.0 - t11) * t13;
+    var t16 = 0.0;
+    var t17 = 0.0;
+    var t18 = 0.0;
+    var t19 = 0.0;
     if (t6) {
-        let t14 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        let t15 = select(t4, spherecap_min(t14, 0.99999994), t2);
-        let t16 = select(0.0, light.beyond, t2);
-        let t17 = 3.1415927 - t16;
-        let t18 = fma(t15, t17, t16);
-        let t19 = (1.0 - t15) * t17;
-        t10 = spherecap_min(t18, t19) * 0.53033006;
-        t11 = 1.0;
-        t12 = 1.0;
-        t13 = t18 - t19;
+        t17 = spherecap_min(t14, t15) * 0.53033006;
+        t18 = 1.0;
+        t19 = 1.0;
     } else {
         let t20 = sqrt(t9);
         let t21 = fma(fma(light.coefficients_6, t9, light.coefficients_4), t9, light.coefficients_2);
@@ -412,23 +411,23 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
         let t31 = t26 * t30;
         let t32 = t31 * t31;
         let t33 = fma(fma(fma(-0.00060778117, t32, -0.0027203285), t32, -0.10000902), t31, fma(fma(1.0676054e-5, t32, -0.011332183), t32, 1.0000001));
-        t10 = t29;
-        t11 = t30 * t33;
-        t12 = t26;
-        t13 = select(t20, t25, t3);
+        t16 = select(t20, t25, t3);
+        t17 = t29;
+        t18 = t30 * t33;
+        t19 = t26;
     }
-    let t34 = spherecap_float_of_bits(fma(spherecap_bits(t10), -0.33333334, 1419900500.0));
-    let t35 = fma(-(t10 * t34), t34 * t34, 1.0);
+    let t34 = spherecap_float_of_bits(fma(spherecap_bits(t17), -0.33333334, 1419900500.0));
+    let t35 = fma(-(t17 * t34), t34 * t34, 1.0);
     let t36 = t35 * t35;
     let t37 = fma(fma(fma(0.110958695, t36, 0.14403293), t36, 0.22222222), t35, fma(fma(0.12482853, t36, 0.17283951), t36, 0.33333334));
-    let t38 = t11 * (t10 * fma(t34, t35 * t37, t34));
-    let t39 = t38 * t12;
+    let t38 = t18 * (t17 * fma(t34, t35 * t37, t34));
+    let t39 = t38 * t19;
     let t40 = t39 * t39;
     let t41 = fma(fma(fma(-0.063446075, t40, -0.056249518), t40, 0.0074712755), t40, 0.09996679);
     let t42 = fma(fma(fma(0.022114987, t40, 0.085662976), t40, 0.030445365), t40, 0.03209764);
     let t43 = t38 * fma(t41, t39, fma(t42, t40, 1.0000004));
     let t44 = select(t43, spherecap_min(t43, 1.0), t6);
-    let t45 = t12 * t44;
+    let t45 = t19 * t44;
     let t46 = 2.0 - t45;
     let t47 = t44 * t46;
     let t48 = sqrt(t47);
@@ -438,7 +437,7 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     var side = 0.0;
     var cosine = 0.0;
     if (t6) {
-        let t51 = select(t46, t45, t13 < 0.0);
+        let t51 = select(t46, t45, t14 - t15 < 0.0);
         let t52 = t47 * t9;
         let t53 = 1.0 - t51;
         let t54 = spherecap_max(fma(light.climb, t51, -light.rise), 0.0);
@@ -452,7 +451,7 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
         side = light.radius_sin * t48 * t8;
         cosine = t55;
     } else {
-        let t59 = t48 * t13;
+        let t59 = t48 * t16;
         let t60 = 1.0 - t45;
         t49 = t60;
         t50 = t59;
@@ -904,21 +903,20 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     let t12 = 1.0 - t4;
     let t13 = t4 - t12;
     let t14 = 4.0 * t4 * t12;
-    var t15 = 0.0;
-    var t16 = 0.0;
-    var t17 = 0.0;
-    var t18 = 0.0;
+    let t15 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+    let t16 = select(spherecap_min(t15, 0.99999994), t8, t9);
+    let t17 = select(light.beyond, 0.0, t9);
+    let t18 = 3.1415927 - t17;
+    let t19 = fma(t16, t18, t17);
+    let t20 = (1.0 - t16) * t18;
+    var t21 = 0.0;
+    var t22 = 0.0;
+    var t23 = 0.0;
+    var t24 = 0.0;
     if (t11) {
-        let t19 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        let t20 = select(spherecap_min(t19, 0.99999994), t8, t9);
-        let t21 = select(light.beyond, 0.0, t9);
-        let t22 = 3.1415927 - t21;
-        let t23 = fma(t20, t22, t21);
-        let t24 = (1.0 - t20) * t22;
-        t15 = spherecap_min(t23, t24) * 0.53033006;
-        t16 = 1.0;
-        t17 = 1.0;
-        t18 = t23 - t24;
+        t22 = spherecap_min(t19, t20) * 0.53033006;
+        t23 = 1.0;
+        t24 = 1.0;
     } else {
         let t25 = sqrt(t14);
         let t26 = fma(fma(light.coefficients_6, t14, light.coefficients_4), t14, light.coefficients_2);
@@ -934,23 +932,23 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         let t36 = t31 * t35;
         let t37 = t36 * t36;
         let t38 = fma(fma(fma(-0.00060778117, t37, -0.0027203285), t37, -0.10000902), t36, fma(fma(1.0676054e-5, t37, -0.011332183), t37, 1.0000001));
-        t15 = t34;
-        t16 = t35 * t38;
-        t17 = t31;
-        t18 = select(t25, t30, t10);
+        t21 = select(t25, t30, t10);
+        t22 = t34;
+        t23 = t35 * t38;
+        t24 = t31;
     }
-    let t39 = spherecap_float_of_bits(fma(spherecap_bits(t15), -0.33333334, 1419900500.0));
-    let t40 = fma(-(t15 * t39), t39 * t39, 1.0);
+    let t39 = spherecap_float_of_bits(fma(spherecap_bits(t22), -0.33333334, 1419900500.0));
+    let t40 = fma(-(t22 * t39), t39 * t39, 1.0);
     let t41 = t40 * t40;
     let t42 = fma(fma(fma(0.110958695, t41, 0.14403293), t41, 0.22222222), t40, fma(fma(0.12482853, t41, 0.17283951), t41, 0.33333334));
-    let t43 = t16 * (t15 * fma(t39, t40 * t42, t39));
-    let t44 = t43 * t17;
+    let t43 = t23 * (t22 * fma(t39, t40 * t42, t39));
+    let t44 = t43 * t24;
     let t45 = t44 * t44;
     let t46 = fma(fma(fma(-0.063446075, t45, -0.056249518), t45, 0.0074712755), t45, 0.09996679);
     let t47 = fma(fma(fma(0.022114987, t45, 0.085662976), t45, 0.030445365), t45, 0.03209764);
     let t48 = t43 * fma(t46, t44, fma(t47, t45, 1.0000004));
     let t49 = select(t48, spherecap_min(t48, 1.0), t11);
-    let t50 = t17 * t49;
+    let t50 = t24 * t49;
     let t51 = 2.0 - t50;
     let t52 = t49 * t51;
     let t53 = sqrt(t52);
@@ -960,7 +958,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     var side = 0.0;
     var cosine = 0.0;
     if (t11) {
-        let t56 = select(t51, t50, t18 < 0.0);
+        let t56 = select(t51, t50, t19 - t20 < 0.0);
         let t57 = t52 * t14;
         var t58 = 0.0;
         var t59 = 0.0;
@@ -997,7 +995,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         side = t61;
         cosine = t62;
     } else {
-        let t74 = t53 * t18;
+        let t74 = t53 * t21;
         let t75 = 1.0 - t50;
         t54 = t75;
         t55 = t74;
@@ -1510,21 +1508,20 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     let t17 = 1.0 - t5;
     let t18 = t5 - t17;
     let t19 = 4.0 * t5 * t17;
-    var t20 = 0.0;
-    var t21 = 0.0;
-    var t22 = 0.0;
-    var t23 = 0.0;
+    let t20 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
+    let t21 = select(spherecap_min(t20, 0.99999994), t13, t14);
+    let t22 = select(light.beyond, 0.0, t14);
+    let t23 = 3.1415927 - t22;
+    let t24 = fma(t21, t23, t22);
+    let t25 = (1.0 - t21) * t23;
+    var t26 = 0.0;
+    var t27 = 0.0;
+    var t28 = 0.0;
+    var t29 = 0.0;
     if (t16) {
-        let t24 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-        let t25 = select(spherecap_min(t24, 0.99999994), t13, t14);
-        let t26 = select(light.beyond, 0.0, t14);
-        let t27 = 3.1415927 - t26;
-        let t28 = fma(t25, t27, t26);
-        let t29 = (1.0 - t25) * t27;
-        t20 = spherecap_min(t28, t29) * 0.53033006;
-        t21 = 1.0;
-        t22 = 1.0;
-        t23 = t28 - t29;
+        t27 = spherecap_min(t24, t25) * 0.53033006;
+        t28 = 1.0;
+        t29 = 1.0;
     } else {
         let t30 = sqrt(t19);
         let t31 = fma(fma(light.coefficients_6, t19, light.coefficients_4), t19, light.coefficients_2);
@@ -1540,23 +1537,23 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
         let t41 = t36 * t40;
         let t42 = t41 * t41;
         let t43 = fma(fma(fma(-0.00060778117, t42, -0.0027203285), t42, -0.10000902), t41, fma(fma(1.0676054e-5, t42, -0.011332183), t42, 1.0000001));
-        t20 = t39;
-        t21 = t40 * t43;
-        t22 = t36;
-        t23 = select(t30, t35, t15);
+        t26 = select(t30, t35, t15);
+        t27 = t39;
+        t28 = t40 * t43;
+        t29 = t36;
     }
-    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t20), -0.33333334, 1419900500.0));
-    let t45 = fma(-(t20 * t44), t44 * t44, 1.0);
+    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t27), -0.33333334, 1419900500.0));
+    let t45 = fma(-(t27 * t44), t44 * t44, 1.0);
     let t46 = t45 * t45;
     let t47 = fma(fma(fma(0.110958695, t46, 0.14403293), t46, 0.22222222), t45, fma(fma(0.12482853, t46, 0.17283951), t46, 0.33333334));
-    let t48 = t21 * (t20 * fma(t44, t45 * t47, t44));
-    let t49 = t48 * t22;
+    let t48 = t28 * (t27 * fma(t44, t45 * t47, t44));
+    let t49 = t48 * t29;
     let t50 = t49 * t49;
     let t51 = fma(fma(fma(-0.063446075, t50, -0.056249518), t50, 0.0074712755), t50, 0.09996679);
     let t52 = fma(fma(fma(0.022114987, t50, 0.085662976), t50, 0.030445365), t50, 0.03209764);
     let t53 = t48 * fma(t51, t49, fma(t52, t50, 1.0000004));
     let t54 = select(t53, spherecap_min(t53, 1.0), t16);
-    let t55 = t22 * t54;
+    let t55 = t29 * t54;
     let t56 = 2.0 - t55;
     let t57 = t54 * t56;
     let t58 = sqrt(t57);
@@ -1566,7 +1563,7 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     var side = 0.0;
     var t62 = 0.0;
     if (t16) {
-        let t63 = select(t56, t55, t23 < 0.0);
+        let t63 = select(t56, t55, t24 - t25 < 0.0);
         let t64 = t57 * t19;
         var t65 = 0.0;
         var t66 = 0.0;
@@ -1603,7 +1600,7 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
         side = t68;
         t62 = t69;
     } else {
-        let t81 = t58 * t23;
+        let t81 = t58 * t26;
         let t82 = 1.0 - t55;
         t59 = t82;
         t60 = t81;

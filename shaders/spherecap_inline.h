@@ -400,21 +400,20 @@ static inline spherecap_inline_sample spherecap_inline_surface_sample(const sphe
     const float t7 = 1.0f - t5;
     const float t8 = t5 - t7;
     const float t9 = 4.0f * t5 * t7;
-    float t10 = 0.0f;
-    float t11 = 0.0f;
-    float t12 = 0.0f;
-    float t13 = 0.0f;
+    const float t10 = spherecap_inline_max((t4 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t11 = t2 ? spherecap_inline_min(t10, 0.99999994f) : t4;
+    const float t12 = t2 ? light->beyond : 0.0f;
+    const float t13 = 3.1415927f - t12;
+    const float t14 = fmaf(t11, t13, t12);
+    const float t15 = (1.0f - t11) * t13;
+    float t16 = 0.0f;
+    float t17 = 0.0f;
+    float t18 = 0.0f;
+    float t19 = 0.0f;
     if (t6) {
-        const float t14 = spherecap_inline_max((t4 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-        const float t15 = t2 ? spherecap_inline_min(t14, 0.99999994f) : t4;
-        const float t16 = t2 ? light->beyond : 0.0f;
-        const float t17 = 3.1415927f - t16;
-        const float t18 = fmaf(t15, t17, t16);
-        const float t19 = (1.0f - t15) * t17;
-        t10 = spherecap_inline_min(t18, t19) * 0.53033006f;
-        t11 = 1.0f;
-        t12 = 1.0f;
-        t13 = t18 - t19;
+        t17 = spherecap_inline_min(t14, t15) * 0.53033006f;
+        t18 = 1.0f;
+        t19 = 1.0f;
     } else {
         const float t20 = sqrtf(t9);
         const float t21 = fmaf(fmaf(light->coefficients_6, t9, light->coefficients_4), t9, light->coefficients_2);
@@ -430,23 +429,23 @@ static inline spherecap_inline_sample spherecap_inline_surface_sample(const sphe
         const float t31 = t26 * t30;
         const float t32 = t31 * t31;
         const float t33 = fmaf(fmaf(fmaf(-0.00060778117f, t32, -0.0027203285f), t32, -0.10000902f), t31, fmaf(fmaf(1.0676054e-5f, t32, -0.011332183f), t32, 1.0000001f));
-        t10 = t3 ? t4 : t29;
-        t11 = t30 * t33;
-        t12 = t26;
-        t13 = t3 ? t25 : t20;
+        t16 = t3 ? t25 : t20;
+        t17 = t3 ? t4 : t29;
+        t18 = t30 * t33;
+        t19 = t26;
     }
-    const float t34 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t10), -0.33333334f, 1419900500.0f));
-    const float t35 = fmaf(-(t10 * t34), t34 * t34, 1.0f);
+    const float t34 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t17), -0.33333334f, 1419900500.0f));
+    const float t35 = fmaf(-(t17 * t34), t34 * t34, 1.0f);
     const float t36 = t35 * t35;
     const float t37 = fmaf(fmaf(fmaf(0.110958695f, t36, 0.14403293f), t36, 0.22222222f), t35, fmaf(fmaf(0.12482853f, t36, 0.17283951f), t36, 0.33333334f));
-    const float t38 = t11 * (t10 * fmaf(t34, t35 * t37, t34));
-    const float t39 = t38 * t12;
+    const float t38 = t18 * (t17 * fmaf(t34, t35 * t37, t34));
+    const float t39 = t38 * t19;
     const float t40 = t39 * t39;
     const float t41 = fmaf(fmaf(fmaf(-0.063446075f, t40, -0.056249518f), t40, 0.0074712755f), t40, 0.09996679f);
     const float t42 = fmaf(fmaf(fmaf(0.022114987f, t40, 0.085662976f), t40, 0.030445365f), t40, 0.03209764f);
     const float t43 = t38 * fmaf(t41, t39, fmaf(t42, t40, 1.0000004f));
     const float t44 = t6 ? spherecap_inline_min(t43, 1.0f) : t43;
-    const float t45 = t12 * t44;
+    const float t45 = t19 * t44;
     const float t46 = 2.0f - t45;
     const float t47 = t44 * t46;
     const float t48 = sqrtf(t47);
@@ -456,7 +455,7 @@ static inline spherecap_inline_sample spherecap_inline_surface_sample(const sphe
     float side = 0.0f;
     float cosine = 0.0f;
     if (t6) {
-        const float t51 = t13 < 0.0f ? t45 : t46;
+        const float t51 = t14 - t15 < 0.0f ? t45 : t46;
         const float t52 = t47 * t9;
         const float t53 = 1.0f - t51;
         const float t54 = spherecap_inline_max(fmaf(light->climb, t51, -light->rise), 0.0f);
@@ -470,7 +469,7 @@ static inline spherecap_inline_sample spherecap_inline_surface_sample(const sphe
         side = light->radius_sin * t48 * t8;
         cosine = t55;
     } else {
-        const float t59 = t48 * t13;
+        const float t59 = t48 * t16;
         const float t60 = 1.0f - t45;
         t49 = t60;
         t50 = t59;
@@ -934,21 +933,20 @@ static inline spherecap_inline_sample spherecap_inline_front_sample(const sphere
     const float t13 = 1.0f - t4;
     const float t14 = t4 - t13;
     const float t15 = 4.0f * t4 * t13;
-    float t16 = 0.0f;
-    float t17 = 0.0f;
-    float t18 = 0.0f;
-    float t19 = 0.0f;
+    const float t16 = spherecap_inline_max((t9 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t17 = t10 ? t9 : spherecap_inline_min(t16, 0.99999994f);
+    const float t18 = t10 ? 0.0f : light->beyond;
+    const float t19 = 3.1415927f - t18;
+    const float t20 = fmaf(t17, t19, t18);
+    const float t21 = (1.0f - t17) * t19;
+    float t22 = 0.0f;
+    float t23 = 0.0f;
+    float t24 = 0.0f;
+    float t25 = 0.0f;
     if (t12) {
-        const float t20 = spherecap_inline_max((t9 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-        const float t21 = t10 ? t9 : spherecap_inline_min(t20, 0.99999994f);
-        const float t22 = t10 ? 0.0f : light->beyond;
-        const float t23 = 3.1415927f - t22;
-        const float t24 = fmaf(t21, t23, t22);
-        const float t25 = (1.0f - t21) * t23;
-        t16 = spherecap_inline_min(t24, t25) * 0.53033006f;
-        t17 = 1.0f;
-        t18 = 1.0f;
-        t19 = t24 - t25;
+        t23 = spherecap_inline_min(t20, t21) * 0.53033006f;
+        t24 = 1.0f;
+        t25 = 1.0f;
     } else {
         const float t26 = sqrtf(t15);
         const float t27 = fmaf(fmaf(light->coefficients_6, t15, light->coefficients_4), t15, light->coefficients_2);
@@ -964,23 +962,23 @@ static inline spherecap_inline_sample spherecap_inline_front_sample(const sphere
         const float t37 = t32 * t36;
         const float t38 = t37 * t37;
         const float t39 = fmaf(fmaf(fmaf(-0.00060778117f, t38, -0.0027203285f), t38, -0.10000902f), t37, fmaf(fmaf(1.0676054e-5f, t38, -0.011332183f), t38, 1.0000001f));
-        t16 = t11 ? t9 : t35;
-        t17 = t36 * t39;
-        t18 = t32;
-        t19 = t11 ? t31 : t26;
+        t22 = t11 ? t31 : t26;
+        t23 = t11 ? t9 : t35;
+        t24 = t36 * t39;
+        t25 = t32;
     }
-    const float t40 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t16), -0.33333334f, 1419900500.0f));
-    const float t41 = fmaf(-(t16 * t40), t40 * t40, 1.0f);
+    const float t40 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t23), -0.33333334f, 1419900500.0f));
+    const float t41 = fmaf(-(t23 * t40), t40 * t40, 1.0f);
     const float t42 = t41 * t41;
     const float t43 = fmaf(fmaf(fmaf(0.110958695f, t42, 0.14403293f), t42, 0.22222222f), t41, fmaf(fmaf(0.12482853f, t42, 0.17283951f), t42, 0.33333334f));
-    const float t44 = t17 * (t16 * fmaf(t40, t41 * t43, t40));
-    const float t45 = t44 * t18;
+    const float t44 = t24 * (t23 * fmaf(t40, t41 * t43, t40));
+    const float t45 = t44 * t25;
     const float t46 = t45 * t45;
     const float t47 = fmaf(fmaf(fmaf(-0.063446075f, t46, -0.056249518f), t46, 0.0074712755f), t46, 0.09996679f);
     const float t48 = fmaf(fmaf(fmaf(0.022114987f, t46, 0.085662976f), t46, 0.030445365f), t46, 0.03209764f);
     const float t49 = t44 * fmaf(t47, t45, fmaf(t48, t46, 1.0000004f));
     const float t50 = t12 ? spherecap_inline_min(t49, 1.0f) : t49;
-    const float t51 = t18 * t50;
+    const float t51 = t25 * t50;
     const float t52 = 2.0f - t51;
     const float t53 = t50 * t52;
     const float t54 = sqrtf(t53);
@@ -990,7 +988,7 @@ static inline spherecap_inline_sample spherecap_inline_front_sample(const sphere
     float side = 0.0f;
     float cosine = 0.0f;
     if (t12) {
-        const float t57 = t19 < 0.0f ? t51 : t52;
+        const float t57 = t20 - t21 < 0.0f ? t51 : t52;
         const float t58 = t53 * t15;
         float t59 = 0.0f;
         float t60 = 0.0f;
@@ -1027,7 +1025,7 @@ static inline spherecap_inline_sample spherecap_inline_front_sample(const sphere
         side = t62;
         cosine = t63;
     } else {
-        const float t75 = t54 * t19;
+        const float t75 = t54 * t22;
         const float t76 = 1.0f - t51;
         t55 = t76;
         t56 = t75;
@@ -1554,21 +1552,20 @@ static inline spherecap_inline_sample spherecap_inline_both_sample(const spherec
     const float t19 = 1.0f - t5;
     const float t20 = t5 - t19;
     const float t21 = 4.0f * t5 * t19;
-    float t22 = 0.0f;
-    float t23 = 0.0f;
-    float t24 = 0.0f;
-    float t25 = 0.0f;
+    const float t22 = spherecap_inline_max((t15 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t23 = t16 ? t15 : spherecap_inline_min(t22, 0.99999994f);
+    const float t24 = t16 ? 0.0f : light->beyond;
+    const float t25 = 3.1415927f - t24;
+    const float t26 = fmaf(t23, t25, t24);
+    const float t27 = (1.0f - t23) * t25;
+    float t28 = 0.0f;
+    float t29 = 0.0f;
+    float t30 = 0.0f;
+    float t31 = 0.0f;
     if (t18) {
-        const float t26 = spherecap_inline_max((t15 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-        const float t27 = t16 ? t15 : spherecap_inline_min(t26, 0.99999994f);
-        const float t28 = t16 ? 0.0f : light->beyond;
-        const float t29 = 3.1415927f - t28;
-        const float t30 = fmaf(t27, t29, t28);
-        const float t31 = (1.0f - t27) * t29;
-        t22 = spherecap_inline_min(t30, t31) * 0.53033006f;
-        t23 = 1.0f;
-        t24 = 1.0f;
-        t25 = t30 - t31;
+        t29 = spherecap_inline_min(t26, t27) * 0.53033006f;
+        t30 = 1.0f;
+        t31 = 1.0f;
     } else {
         const float t32 = sqrtf(t21);
         const float t33 = fmaf(fmaf(light->coefficients_6, t21, light->coefficients_4), t21, light->coefficients_2);
@@ -1584,23 +1581,23 @@ static inline spherecap_inline_sample spherecap_inline_both_sample(const spherec
         const float t43 = t38 * t42;
         const float t44 = t43 * t43;
         const float t45 = fmaf(fmaf(fmaf(-0.00060778117f, t44, -0.0027203285f), t44, -0.10000902f), t43, fmaf(fmaf(1.0676054e-5f, t44, -0.011332183f), t44, 1.0000001f));
-        t22 = t17 ? t15 : t41;
-        t23 = t42 * t45;
-        t24 = t38;
-        t25 = t17 ? t37 : t32;
+        t28 = t17 ? t37 : t32;
+        t29 = t17 ? t15 : t41;
+        t30 = t42 * t45;
+        t31 = t38;
     }
-    const float t46 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t22), -0.33333334f, 1419900500.0f));
-    const float t47 = fmaf(-(t22 * t46), t46 * t46, 1.0f);
+    const float t46 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t29), -0.33333334f, 1419900500.0f));
+    const float t47 = fmaf(-(t29 * t46), t46 * t46, 1.0f);
     const float t48 = t47 * t47;
     const float t49 = fmaf(fmaf(fmaf(0.110958695f, t48, 0.14403293f), t48, 0.22222222f), t47, fmaf(fmaf(0.12482853f, t48, 0.17283951f), t48, 0.33333334f));
-    const float t50 = t23 * (t22 * fmaf(t46, t47 * t49, t46));
-    const float t51 = t50 * t24;
+    const float t50 = t30 * (t29 * fmaf(t46, t47 * t49, t46));
+    const float t51 = t50 * t31;
     const float t52 = t51 * t51;
     const float t53 = fmaf(fmaf(fmaf(-0.063446075f, t52, -0.056249518f), t52, 0.0074712755f), t52, 0.09996679f);
     const float t54 = fmaf(fmaf(fmaf(0.022114987f, t52, 0.085662976f), t52, 0.030445365f), t52, 0.03209764f);
     const float t55 = t50 * fmaf(t53, t51, fmaf(t54, t52, 1.0000004f));
     const float t56 = t18 ? spherecap_inline_min(t55, 1.0f) : t55;
-    const float t57 = t24 * t56;
+    const float t57 = t31 * t56;
     const float t58 = 2.0f - t57;
     const float t59 = t56 * t58;
     const float t60 = sqrtf(t59);
@@ -1610,7 +1607,7 @@ static inline spherecap_inline_sample spherecap_inline_both_sample(const spherec
     float side = 0.0f;
     float t64 = 0.0f;
     if (t18) {
-        const float t65 = t25 < 0.0f ? t57 : t58;
+        const float t65 = t26 - t27 < 0.0f ? t57 : t58;
         const float t66 = t59 * t21;
         float t67 = 0.0f;
         float t68 = 0.0f;
@@ -1647,7 +1644,7 @@ static inline spherecap_inline_sample spherecap_inline_both_sample(const spherec
         side = t70;
         t64 = t71;
     } else {
-        const float t83 = t60 * t25;
+        const float t83 = t60 * t28;
         const float t84 = 1.0f - t57;
         t61 = t84;
         t62 = t83;

@@ -253,21 +253,21 @@ macro_rules! branch {
 pub(crate) use branch;
 
 /// [`Blend`] of a struct of lanes, or of what else can be blended: field by field. `only` are those that nobody reads but lanes
-/// that took the first side: no select is spent on them.
+/// that took the first side, `otherwise` those of the second: no select is spent on them.
 macro_rules! blend_fields {
-    ($name:ident { $($field:ident),* $(; only $($own:ident),*)? }) => {
+    ($name:ident { $($field:ident),* $(; only $($own:ident),* $(; otherwise $($other:ident),*)?)? }) => {
         impl<M: Copy, L: $crate::lane::Blend<M>> $crate::lane::Blend<M> for $name<L> {
             #[inline(always)]
             fn blank() -> Self {
                 use $crate::lane::Blend;
-                Self { $($field: Blend::blank(),)* $($($own: Blend::blank()),*)? }
+                Self { $($field: Blend::blank(),)* $($($own: Blend::blank(),)* $($($other: Blend::blank()),*)?)? }
             }
             #[inline(always)]
             fn blend(mask: M, yes: Self, no: Self) -> Self {
                 use $crate::lane::Blend;
                 Self {
                     $($field: Blend::blend(mask, yes.$field, no.$field),)*
-                    $($($own: yes.$own),*)?
+                    $($($own: yes.$own,)* $($($other: no.$other),*)?)?
                 }
             }
         }

@@ -8,11 +8,26 @@ use crate::disk::{
     areas_of_chord, cube_of_power, from_edge, height_per_power, power_per_height, square_to_disk, symmetric,
     two_thirds_power, DiskPoint,
 };
-use crate::lane::{branch, fork, knowing, lit, Lane};
+use crate::lane::{blend_fields, branch, fork, knowing, lit, Lane};
 use crate::offset::Offset;
 use crate::sample::Sample;
 use crate::strategy::{Hemispheres, Strategy, Technique};
 use crate::vec3::Vec3;
+
+/// A segment of the unit disk, by its area: on the near or far side of a chord of a disk, or along a slice of the crescent.
+#[derive(Clone, Copy)]
+struct Segment<L> {
+    /// The cube of what is scaled to the area's power of two thirds, over `g2`.
+    cube: L,
+    scale: L,
+    /// The square of the length of a slice's direction; 1 for a disk.
+    g2: L,
+    /// Of a disk: negative where the chord is nearer to its near end than to the far one.
+    near_minus_far: L,
+    /// Of a slice: the component of its direction towards the zenith.
+    m: L,
+}
+blend_fields!(Segment { cube, scale, g2; only near_minus_far; otherwise m });
 
 impl<L: Lane> Sample<L> {
     /// The sample of a sphere that is sampled once: the bits of `Sampler::new(Cap::new(normal, centre, radius), strategy).sample(u0, u1)`,
@@ -183,8 +198,7 @@ impl<L: Lane> Sampler<L> {
         let (across, across_complement) = symmetric(u1);
 
         // The disk and the slices of the crescent are measured by the same segments: what they share is written once, so
-        // that packets and graphs, which may follow both sides, pay for it once. Of its own the disk has which side of its
-        // middle a point is on, and a slice has its m.
+        // that packets and graphs, which may follow both sides, pay for it once.
         fork!(
             L,
             is_disk,
@@ -192,7 +206,8 @@ impl<L: Lane> Sampler<L> {
                 let ellipse = &self.ellipse;
                 let (u0, beyond) = branch!(is_whole, (u0, L::lit(0.0)), (ellipse.left_over(u0), ellipse.beyond));
                 let [near, far] = areas_of_chord(u0, beyond);
-                ([cube_of_power(near.min(far)), one, one], near - far)
+                let cube = cube_of_power(near.min(far));
+                Segment { cube, scale: one, g2: one, near_minus_far: near - far, m: one }
             },
             {
                 let Slice { u0, m, g2, end } = match technique {
@@ -201,9 +216,9 @@ impl<L: Lane> Sampler<L> {
                     }
                     _ => bounded::slice(cap, is_segment, share, u0, across_complement),
                 };
-                ([u0, end * power_per_height(g2 * end), g2], m)
+                Segment { cube: u0, scale: end * power_per_height(g2 * end), g2, near_minus_far: one, m }
             },
-            ([cube, scale, g2], own) => {
+            Segment { cube, scale, g2, near_minus_far, m } => {
             // Heights over g2, so that thin slices keep their digits.
             let k = scale * two_thirds_power(cube);
             let h1 = k * height_per_power(k * g2);
@@ -215,7 +230,7 @@ impl<L: Lane> Sampler<L> {
             branch!(
                 is_disk,
                 {
-                    let from_edge = from_edge(h, own.lt(L::lit(0.0)));
+                    let from_edge = from_edge(h, near_minus_far.lt(L::lit(0.0)));
                     let point = DiskPoint { from_edge, chord, chord2, across, across_complement };
                     branch!(
                         is_plain,
@@ -228,7 +243,7 @@ impl<L: Lane> Sampler<L> {
                     )
                 },
                 {
-                    let (side, cosine) = (chord * across, chord * own);
+                    let (side, cosine) = (chord * across, chord * m);
                     match technique {
                         Technique::Projected => crescent::place(cap, is_segment, h, side, cosine),
                         _ => bounded::place(cap, is_segment, h, side, cosine),
