@@ -90,22 +90,6 @@ def test_integrators_agree_with_area(integrator):
     assert not same_mean(1.03 * ours, theirs)
 
 
-@pytest.mark.parametrize("lights", [1, 2, 100])
-def test_any_number_of_lights(lights):
-    """One recorded kernel serves all of them."""
-    loaded = scene("spherecap", lights=lights)
-    ours = means(loaded)
-    theirs = means(scene("area", lights=lights), first=100)
-    assert same_mean(ours, theirs)
-    if lights > 1:
-        dr.flush_kernel_cache()
-        dr.kernel_history_clear()
-        with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
-            render(loaded)
-            kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
-        assert max(k["operation_count"] for k in kernels) < 6000
-
-
 @pytest.mark.parametrize("lights", [1, 3])
 def test_symbolic_and_evaluated_modes_agree(lights):
     """Loops and calls that are compiled, and ones that are run step by step."""
