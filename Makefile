@@ -13,6 +13,7 @@ HEADERS := $(wildcard include/*.h)
 OLDER_MITSUBAS := $(shell sed -n 's/^set(mitsubas [^ ]* \(.*\))/\1/p' mitsuba_plugin/CMakeLists.txt)
 MITSUBAS := $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) 3.6.4)
 C_RENDERER := build/renderer
+INLINE_RENDERER := build/renderer_inline
 IRRADIANCE := build/irradiance
 CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h tests/install/*.c examples/*.c \
     examples/c/*.c tools/cuda/emulator/*.[ch])
@@ -63,7 +64,7 @@ test: lint ## Run all tests.
 test-rust: ## The library and its C ABI.
 	cargo test --release --locked -- --show-output
 
-prepare-test-python: build $(C_RENDERER) $(IRRADIANCE)
+prepare-test-python: build $(C_RENDERER) $(INLINE_RENDERER) $(IRRADIANCE)
 
 # Several files at a time, as compiling kernels and starting programs leaves processors idle; more than four would want much memory.
 test-python: prepare-test-python ## The fits, the plugin and the renders.
@@ -100,6 +101,11 @@ $(PLUGIN): $(LIBRARY) $(VENV)/installed $(HEADERS) $(wildcard mitsuba_plugin/*.*
 $(C_RENDERER): tests/c/renderer.c include/spherecap.h $(LIBRARY)
 	mkdir -p $(@D)
 	$(CC) -std=c99 -O2 -Wall -Wextra -Werror -pedantic -Iinclude $< $(LIBRARY) -lpthread -ldl -lm -o $@
+
+# The same by the inline header, without the library.
+$(INLINE_RENDERER): tests/c/renderer.c shaders/spherecap_inline.h
+	mkdir -p $(@D)
+	$(CC) -std=c99 -O2 -Wall -Wextra -Werror -Wno-unused-function -pedantic -DSPHERECAP_INLINE -Ishaders $< -lm -o $@
 
 # Not by cargo, which would compile everything that the tests need for it, too.
 $(IRRADIANCE): tools/cross/irradiance.rs $(LIBRARY)

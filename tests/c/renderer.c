@@ -6,12 +6,20 @@
 //     renderer
 //     ./renderer projected independent 16 1 < scene.txt > image.pfm
 //
-// What a renderer has to do with the library is in `choose_light` and `light_of`; the rest is what every
+// or without the library, by the inline header alone:
+//
+//     cc -std=c99 -O2 -mfma -DSPHERECAP_INLINE -Ishaders tests/c/renderer.c -lm -o renderer_inline
+//
+// What a renderer has to do with either is in `choose_light` and `sample_light`; the rest is what every
 // renderer has. The scene is text, one thing per line: a word and its numbers (see `WORDS`), or a comment
 // that starts with #. The image is in the PFM format: a line each with "Pf", width and height, and -1 for
 // little-endian; then floats, rows from the bottom up.
 
+#ifdef SPHERECAP_INLINE
+#include "spherecap_inline.h"
+#else
 #include "spherecap.h"
+#endif
 
 #include <math.h>
 #include <stdio.h>
@@ -150,58 +158,158 @@ static int is_occluded(const scene_t *scene, const light_t *light, vec_t point, 
 
 // ---- Light ----
 
+// A surface at the point: its normal, of unit length, on the side that is looked at.
+typedef struct {
+    float normal[3];
+    uint32_t technique;
+} surface_t;
+
+typedef struct {
+    size_t index;
+    float probability, rest; // the latter is what is left of the random number, which is random again
+} choice_t;
+
+// What one random direction to a light is like; a density of 0 says that the light gives nothing here.
+typedef struct {
+    float direction[3], distance, cosine, density;
+} direction_t;
+
+// A light's centre as seen from a point: subtracted in double precision.
+static void see(const light_t *light, vec_t point, float centre[3]) {
+    for (int k = 0; k < 3; ++k) {
+        centre[k] = (float)(light->centre.x[k] - point.x[k]);
+    }
+}
+
+#ifdef SPHERECAP_INLINE
+
+// Chooses the light to sample at a point, by what each gives to it if nothing is in the way: as
+// `spherecap_choose` does.
+static choice_t choose_light(const scene_t *scene, const surface_t *surface, vec_t point, float u) {
+    float importances[MOST];
+    double sum = 0;
+    int lit = 0;
+    for (int i = 0; i < scene->light_count; ++i) {
+        const light_t *light = &scene->lights[i];
+        float centre[3];
+        see(light, point, centre);
+        importances[i] = spherecap_inline_surface_importance(surface->normal, centre, (float)light->radius,
+                                                             (float)light->radiance);
+        sum += importances[i];
+        lit += importances[i] > 0;
+    }
+    choice_t choice = {0, 0, 0};
+    double start = 0, end = 0, share = 0;
+    for (int i = 0; i < scene->light_count && end <= u; ++i) {
+        if (importances[i] > 0) {
+            share = importances[i] * ((1 - (double)EVEN) / (float)sum) + (double)EVEN / lit;
+            start = end;
+            end += share;
+            choice.index = (size_t)i;
+        }
+    }
+    if (lit > 0) {
+        // The last one takes what rounding leaves.
+        choice.probability = (float)share;
+        choice.rest = (float)fmin((u - start) / share, 1);
+    }
+    return choice;
+}
+
+static direction_t sample_light(const surface_t *surface, const float centre[3], float radius, float u0,
+                                float u1) {
+    const spherecap_inline_sample sample =
+        spherecap_inline_surface_sample_once(surface->normal, centre, radius, u0, u1);
+    const float *direction = sample.direction;
+    return (direction_t){
+        {direction[0], direction[1], direction[2]}, sample.distance, sample.cosine, sample.pdf};
+}
+
+static void check_technique(uint32_t technique) {
+    if (technique != 0) {
+        fail("the inline header samples by projected solid angle alone: say `projected`", "");
+    }
+}
+
+#else
+
+static spherecap_receiver_t receiver_of(const surface_t *surface) {
+    const float *normal = surface->normal;
+    return (spherecap_receiver_t){
+        {normal[0], normal[1], normal[2]}, surface->technique, SPHERECAP_HEMISPHERES_FRONT, 0};
+}
+
 // Chooses the light to sample at a point, by what each gives to it if nothing is in the way.
-static spherecap_choice_t choose_light(const scene_t *scene, const spherecap_receiver_t *receiver,
-                                       vec_t point, float u) {
-    // As seen from the point: subtracted in double precision, and then what `light_of` hands on.
+static choice_t choose_light(const scene_t *scene, const surface_t *surface, vec_t point, float u) {
     float centre[3][MOST], radius[MOST], strength[MOST], importances[MOST];
     for (int i = 0; i < scene->light_count; ++i) {
         const light_t *light = &scene->lights[i];
+        float own[3];
+        see(light, point, own);
         for (int k = 0; k < 3; ++k) {
-            centre[k][i] = (float)(light->centre.x[k] - point.x[k]);
+            centre[k][i] = own[k];
         }
         radius[i] = (float)light->radius;
         strength[i] = (float)light->radiance;
     }
     const size_t count = (size_t)scene->light_count;
     const spherecap_lights_t lights = {count, {centre[0], centre[1], centre[2]}, radius, strength};
+    const spherecap_receiver_t receiver = receiver_of(surface);
     static const float here[3] = {0, 0, 0};
     spherecap_total_t total;
     spherecap_choice_t choice;
-    uint32_t status = spherecap_importances(receiver, here, &lights, importances, &total);
+    uint32_t status = spherecap_importances(&receiver, here, &lights, importances, &total);
     if (status == SPHERECAP_STATUS_OK) {
         status = spherecap_choose(importances, count, &total, EVEN, u, &choice);
     }
     if (status != SPHERECAP_STATUS_OK) {
         fail("no light can be chosen: ", spherecap_status_message(status));
     }
-    return choice;
+    return (choice_t){choice.index, choice.probability, choice.rest};
 }
 
-// Estimates with one shadow ray what a light adds to the radiance that a Lambertian surface reflects. The
-// receiver's normal is of unit length, on the side that is looked at; u0 and u1 are random numbers in [0, 1].
-static double light_of(const scene_t *scene, const light_t *light, const spherecap_receiver_t *receiver,
-                       vec_t point, double albedo, float u0, float u1) {
-    float centre[3];
-    for (int i = 0; i < 3; ++i) {
-        centre[i] = (float)(light->centre.x[i] - point.x[i]);
-    }
+static direction_t sample_light(const surface_t *surface, const float centre[3], float radius, float u0,
+                                float u1) {
+    const spherecap_receiver_t receiver = receiver_of(surface);
     spherecap_sample_t sample;
-    const uint32_t status = spherecap_sample_once(receiver, centre, (float)light->radius, u0, u1, &sample);
+    const uint32_t status = spherecap_sample_once(&receiver, centre, radius, u0, u1, &sample);
     if (status == SPHERECAP_STATUS_INVISIBLE || status == SPHERECAP_STATUS_INSIDE) {
-        return 0; // below the horizon, or around the point: a light that lights nothing here
+        return (direction_t){{0, 0, 0}, 0, 0, 0}; // below the horizon, or around the point
     }
     if (status != SPHERECAP_STATUS_OK) {
         fail("a light cannot be sampled: ", spherecap_status_message(status));
     }
-    if (!(sample.offset.cosine > 0)) {
-        return 0; // sampled by solid angle, and below the horizon
+    const float *direction = sample.direction;
+    return (direction_t){{direction[0], direction[1], direction[2]},
+                         sample.distance,
+                         sample.offset.cosine,
+                         sample.density.solid_angle};
+}
+
+static void check_technique(uint32_t technique) {
+    (void)technique; // all of them are there
+    if (spherecap_abi_version() != SPHERECAP_ABI) {
+        fail("the header and the library are of different versions: ", spherecap_version());
+    }
+}
+
+#endif
+
+// Estimates with one shadow ray what a light adds to the radiance that a Lambertian surface reflects; u0 and
+// u1 are random numbers in [0, 1].
+static double light_of(const scene_t *scene, const light_t *light, const surface_t *surface, vec_t point,
+                       double albedo, float u0, float u1) {
+    float centre[3];
+    see(light, point, centre);
+    const direction_t sample = sample_light(surface, centre, (float)light->radius, u0, u1);
+    if (!(sample.density > 0 && sample.cosine > 0)) {
+        return 0; // nothing to sample; or sampled by solid angle, and below the horizon
     }
     const vec_t direction = {{sample.direction[0], sample.direction[1], sample.direction[2]}};
     if (is_occluded(scene, light, point, direction, sample.distance)) {
         return 0;
     }
-    return albedo / PI * light->radiance * sample.offset.cosine / sample.density.solid_angle;
+    return albedo / PI * light->radiance * sample.cosine / sample.density;
 }
 
 // Radiance that comes back along a ray of the camera. Lights are looked through, and nothing is black.
@@ -226,17 +334,13 @@ static double radiance(const scene_t *scene, uint32_t technique, vec_t origin, v
         normal = add((vec_t){{0, 0, 0}}, -1, normal);
     }
     const vec_t point = add(origin, nearest, direction);
-    spherecap_receiver_t receiver = {{0, 0, 0}, technique, SPHERECAP_HEMISPHERES_FRONT, 0};
-    for (int i = 0; i < 3; ++i) {
-        receiver.normal[i] = (float)normal.x[i];
-    }
-    const spherecap_choice_t choice = choose_light(scene, &receiver, point, u0);
+    const surface_t surface = {{(float)normal.x[0], (float)normal.x[1], (float)normal.x[2]}, technique};
+    const choice_t choice = choose_light(scene, &surface, point, u0);
     if (choice.probability == 0) {
         return 0; // no light gives anything here
     }
     const light_t *light = &scene->lights[choice.index];
-    // What is left of the number that chose is random again.
-    return light_of(scene, light, &receiver, point, shape->albedo, choice.rest, u1) / choice.probability;
+    return light_of(scene, light, &surface, point, shape->albedo, choice.rest, u1) / choice.probability;
 }
 
 // ---- Random numbers ----
@@ -442,10 +546,8 @@ int main(int argc, char **argv) {
         fail("usage: renderer solid_angle|projected_bounded|projected independent|lattice SPP SEED",
              " < scene.txt > image.pfm");
     }
-    if (spherecap_abi_version() != SPHERECAP_ABI) {
-        fail("the header and the library are of different versions: ", spherecap_version());
-    }
     const uint32_t technique = (uint32_t)choice(argv[1], techniques, 3);
+    check_technique(technique);
     const int is_lattice = choice(argv[2], samplers, 2);
     const uint32_t spp = (uint32_t)whole_number(argv[3], 1, 1000000);
     // The states of neighbouring seeds must not be those of neighbouring samples: mix.

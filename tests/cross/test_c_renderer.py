@@ -1,22 +1,26 @@
-"""The C renderer: mistakes in command lines and scene files are explained, and lights are chosen well."""
+"""The C renderer: mistakes in command lines and scene files are explained, and lights are chosen well.
+
+By the inline header alone it renders the same.
+"""
 
 import subprocess
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from cross.render_c import PROGRAM, read_pfm
-from cross.scene import Scene, as_text, by_name
+from cross.scene import SCENES, Scene, as_text, by_name
 
 SCENE = as_text(by_name("S1"), 8, 6)
 
-
+INLINE = PROGRAM.with_name("renderer_inline")
 WIDTH, HEIGHT, SEEDS = 32, 24, 128
 
 
-def run(scene: str, *arguments: str) -> subprocess.CompletedProcess:
+def run(scene: str, *arguments: str, program: Path = PROGRAM) -> subprocess.CompletedProcess:
     """Run it."""
-    return subprocess.run([PROGRAM, *arguments], input=scene.encode(), capture_output=True)
+    return subprocess.run([program, *arguments], input=scene.encode(), capture_output=True)
 
 
 def test_writes_an_image() -> None:
@@ -86,6 +90,24 @@ def test_a_scene_without_a_camera_is_refused() -> None:
     done = run("# nothing\n", "projected", "independent", "1", "1")
     assert done.returncode == 1
     assert "no line 'image'" in done.stderr.decode()
+
+
+@pytest.mark.parametrize("name", [scene.name for scene in SCENES if scene.bounces == 0])
+def test_the_inline_header_renders_the_same(name: str) -> None:
+    """To the bit, in all scenes that it can render."""
+    text, arguments = as_text(by_name(name), WIDTH, HEIGHT), ("projected", "independent", "4", "7")
+    by_library, by_header = run(text, *arguments), run(text, *arguments, program=INLINE)
+    assert by_library.returncode == by_header.returncode == 0, by_library.stderr + by_header.stderr
+    assert read_pfm(by_library.stdout).max() > 0
+    assert by_header.stdout == by_library.stdout
+
+
+def test_the_inline_header_says_which_technique_it_has() -> None:
+    """And renders nothing by another."""
+    done = run(SCENE, "solid_angle", "independent", "1", "1", program=INLINE)
+    assert done.returncode == 1
+    assert "say `projected`" in done.stderr.decode()
+    assert not done.stdout
 
 
 def moments(scene: Scene, technique: str) -> tuple[np.ndarray, np.ndarray]:
