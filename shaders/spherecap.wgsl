@@ -17,15 +17,6 @@ fn spherecap_keep(a: f32, unknown_zero: u32) -> f32 {
     return bitcast<f32>(bitcast<u32>(a) | unknown_zero);
 }
 
-// The second where one is no number.
-fn spherecap_min(a: f32, b: f32) -> f32 {
-    return min(b, a);
-}
-
-fn spherecap_max(a: f32, b: f32) -> f32 {
-    return max(b, a);
-}
-
 // What rounding took off the product a b: products of halves are exact (Dekker).
 fn spherecap_lost(a: f32, b: f32, product: f32, unknown_zero: u32) -> f32 {
     let a_high = bitcast<f32>(bitcast<u32>(a) & 0xfffff000u);
@@ -76,14 +67,9 @@ struct spherecap_sample {
 }
 
 fn spherecap_no_sample() -> spherecap_sample {
-    var sampled: spherecap_sample;
-    sampled.direction = vec3f(0.0, 0.0, 0.0);
-    sampled.distance = 0.0;
-    sampled.normal = vec3f(0.0, 0.0, 0.0);
-    sampled.cosine = 0.0;
-    sampled.pdf = 0.0;
-    sampled.projected_pdf = 0.0;
-    return sampled;
+    return spherecap_sample(
+        vec3f(0.0, 0.0, 0.0), 0.0, vec3f(0.0, 0.0, 0.0), 0.0, 0.0, 0.0
+    );
 }
 
 // A point on a surface that is lit from the front. The normal must be of unit length to single precision.
@@ -112,104 +98,101 @@ struct spherecap_surface_light {
     middle: f32,
     half_axis: f32,
     climb: f32,
-    coefficients_0: f32,
-    coefficients_1: f32,
-    coefficients_2: f32,
-    coefficients_3: f32,
-    coefficients_4: f32,
-    coefficients_5: f32,
-    coefficients_6: f32,
+    b_0: f32,
+    b_1: f32,
+    b_2: f32,
+    b_3: f32,
+    b_4: f32,
+    b_5: f32,
+    b_6: f32,
 }
 
 fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spherecap_surface_light {
     let unknown_zero = bitcast<u32>(radius) & 0x80000000u;
-    let t1 = fma(centre.x, centre.x, fma(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0;
-    let t2 = t1 && 9.536743e-7 < radius;
-    let t3 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t3, 8.5070587e37));
-    let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t4 = select(centre.x * scale, centre.x, t2);
-    let t5 = select(centre.y * scale, centre.y, t2);
-    let t6 = select(centre.z * scale, centre.z, t2);
-    let t7 = select(radius * scale, radius, t2);
+    let t1 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    let t2 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t2));
+    let t3 = select(spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale)), 1.0, t1);
+    let t4 = centre.x * t3;
+    let t5 = centre.y * t3;
+    let t6 = centre.z * t3;
+    let t7 = radius * t3;
     let t8 = spherecap_keep(t6 * t6, unknown_zero);
     let t9 = fma(t4, t4, fma(t5, t5, t8));
     let t10 = fma(-t7, t7, t9);
-    var t11 = 0.0;
-    var t12 = 0.0;
+    var t11: f32;
+    var t12: f32;
     if (t10 < t9 * 0.25) {
         let t13 = spherecap_keep(t4 * t4, unknown_zero);
         let t14 = spherecap_keep(t5 * t5, unknown_zero);
         let t15 = spherecap_keep(t13 + t14, unknown_zero);
         let t16 = spherecap_keep(t15 - t13, unknown_zero);
         let t17 = spherecap_keep(t13 - spherecap_keep(t15 - t16, unknown_zero), unknown_zero);
-        let t18 = spherecap_keep(t15 + t8, unknown_zero);
-        let t19 = spherecap_keep(t18 - t15, unknown_zero);
-        let t20 = spherecap_keep(t15 - spherecap_keep(t18 - t19, unknown_zero), unknown_zero);
-        let t21 = spherecap_lost(t4, t4, t13, unknown_zero) + spherecap_lost(t5, t5, t14, unknown_zero);
-        let t22 = t17 + spherecap_keep(t14 - t16, unknown_zero) + (t20 + spherecap_keep(t8 - t19, unknown_zero));
-        let t23 = spherecap_fused(-t7, t7, t18, unknown_zero) + (t21 + spherecap_lost(t6, t6, t8, unknown_zero) + t22);
-        t11 = t18;
-        t12 = t23;
+        t11 = spherecap_keep(t15 + t8, unknown_zero);
+        let t18 = spherecap_keep(t11 - t15, unknown_zero);
+        let t19 = spherecap_keep(t15 - spherecap_keep(t11 - t18, unknown_zero), unknown_zero);
+        let t20 = spherecap_lost(t4, t4, t13, unknown_zero) + spherecap_lost(t5, t5, t14, unknown_zero);
+        let t21 = t17 + spherecap_keep(t14 - t16, unknown_zero) + (t19 + spherecap_keep(t8 - t18, unknown_zero));
+        t12 = spherecap_fused(-t7, t7, t11, unknown_zero) + (t20 + spherecap_lost(t6, t6, t8, unknown_zero) + t21);
     } else {
         t11 = t9;
         t12 = t10;
     }
-    let t24 = spherecap_keep(normal.z * t5, unknown_zero);
-    let t25 = spherecap_fused(normal.y, t6, -t24, unknown_zero);
-    let t26 = spherecap_keep(normal.x * t6, unknown_zero);
-    let t27 = spherecap_fused(normal.z, t4, -t26, unknown_zero);
-    let t28 = spherecap_keep(normal.y * t4, unknown_zero);
-    let t29 = spherecap_fused(normal.x, t5, -t28, unknown_zero);
-    let t30 = fma(t25, t25, fma(t27, t27, t29 * t29));
-    var t31 = 0.0;
-    var t32 = 0.0;
-    var t33 = 0.0;
-    var t34 = 0.0;
-    var t35 = 0.0;
-    if (t30 < t11 * 0.015625) {
-        let t36 = t25 - spherecap_lost(normal.z, t5, t24, unknown_zero);
-        let t37 = t27 - spherecap_lost(normal.x, t6, t26, unknown_zero);
-        let t38 = t29 - spherecap_lost(normal.y, t4, t28, unknown_zero);
-        let t39 = fma(t36, t36, fma(t37, t37, t38 * t38));
-        let t40 = t39 < t11 * 5.169879e-26;
-        let t41 = abs(t4) < abs(t6);
-        let t42 = select(-t5, 0.0, t41);
-        let t43 = select(t4, -t6, t41);
-        let t44 = select(0.0, t5, t41);
-        let t45 = sqrt(t39);
-        t31 = select(t36, t42, t40);
-        t32 = select(t37, t43, t40);
-        t33 = select(t38, t44, t40);
-        t34 = select(t45, sqrt(fma(t42, t42, fma(t43, t43, t44 * t44))), t40);
-        t35 = select(t45, 0.0, t40);
+    let t22 = spherecap_keep(normal.z * t5, unknown_zero);
+    let t23 = spherecap_fused(normal.y, t6, -t22, unknown_zero);
+    let t24 = spherecap_keep(normal.x * t6, unknown_zero);
+    let t25 = spherecap_fused(normal.z, t4, -t24, unknown_zero);
+    let t26 = spherecap_keep(normal.y * t4, unknown_zero);
+    let t27 = spherecap_fused(normal.x, t5, -t26, unknown_zero);
+    let t28 = fma(t23, t23, fma(t25, t25, t27 * t27));
+    var t29: f32;
+    var t30: f32;
+    var t31: f32;
+    var t32: f32;
+    var t33: f32;
+    if (t28 < t11 * 0.015625) {
+        let t34 = t23 - spherecap_lost(normal.z, t5, t22, unknown_zero);
+        let t35 = t25 - spherecap_lost(normal.x, t6, t24, unknown_zero);
+        let t36 = t27 - spherecap_lost(normal.y, t4, t26, unknown_zero);
+        let t37 = fma(t34, t34, fma(t35, t35, t36 * t36));
+        let t38 = t37 < t11 * 5.169879e-26;
+        let t39 = abs(t4) < abs(t6);
+        let t40 = select(-t5, 0.0, t39);
+        let t41 = select(t4, -t6, t39);
+        let t42 = select(0.0, t5, t39);
+        let t43 = sqrt(t37);
+        t29 = select(t34, t40, t38);
+        t30 = select(t35, t41, t38);
+        t31 = select(t36, t42, t38);
+        t32 = select(t43, sqrt(fma(t40, t40, fma(t41, t41, t42 * t42))), t38);
+        t33 = select(t43, 0.0, t38);
     } else {
-        let t46 = sqrt(t30);
-        t31 = t25;
-        t32 = t27;
-        t33 = t29;
-        t34 = t46;
-        t35 = t46;
+        t32 = sqrt(t28);
+        t29 = t23;
+        t30 = t25;
+        t31 = t27;
+        t33 = t32;
     }
-    let t47 = spherecap_keep(normal.x * t4, unknown_zero);
-    let t48 = spherecap_keep(normal.y * t5, unknown_zero);
-    let t49 = spherecap_keep(normal.z * t6, unknown_zero);
-    let t50 = spherecap_keep(t47 + t48, unknown_zero);
+    let t44 = spherecap_keep(normal.x * t4, unknown_zero);
+    let t45 = spherecap_keep(normal.y * t5, unknown_zero);
+    let t46 = spherecap_keep(normal.z * t6, unknown_zero);
+    let t47 = spherecap_keep(t44 + t45, unknown_zero);
+    let t48 = spherecap_keep(t47 - t44, unknown_zero);
+    let t49 = spherecap_keep(t44 - spherecap_keep(t47 - t48, unknown_zero), unknown_zero);
+    let t50 = spherecap_keep(t47 + t46, unknown_zero);
     let t51 = spherecap_keep(t50 - t47, unknown_zero);
     let t52 = spherecap_keep(t47 - spherecap_keep(t50 - t51, unknown_zero), unknown_zero);
-    let t53 = spherecap_keep(t50 + t49, unknown_zero);
-    let t54 = spherecap_keep(t53 - t50, unknown_zero);
-    let t55 = spherecap_keep(t50 - spherecap_keep(t53 - t54, unknown_zero), unknown_zero);
-    let t56 = spherecap_lost(normal.x, t4, t47, unknown_zero) + spherecap_lost(normal.y, t5, t48, unknown_zero);
-    let t57 = t52 + spherecap_keep(t48 - t51, unknown_zero) + (t55 + spherecap_keep(t49 - t54, unknown_zero));
-    let t58 = t56 + spherecap_lost(normal.z, t6, t49, unknown_zero) + t57;
-    let t59 = spherecap_keep(t53 + t58, unknown_zero);
-    let t60 = spherecap_keep(t58 - spherecap_keep(t59 - t53, unknown_zero), unknown_zero);
-    let t61 = t7 - t59 - t60;
-    let t62 = t7 + t59 + t60;
-    let t63 = t61 * t62;
-    let t64 = sqrt(t12);
-    let t65 = 0.0 < t12;
+    let t53 = spherecap_lost(normal.x, t4, t44, unknown_zero) + spherecap_lost(normal.y, t5, t45, unknown_zero);
+    let t54 = t49 + spherecap_keep(t45 - t48, unknown_zero) + (t52 + spherecap_keep(t46 - t51, unknown_zero));
+    let t55 = t53 + spherecap_lost(normal.z, t6, t46, unknown_zero) + t54;
+    let t56 = spherecap_keep(t50 + t55, unknown_zero);
+    let t57 = spherecap_keep(t55 - spherecap_keep(t56 - t50, unknown_zero), unknown_zero);
+    let t58 = t7 - t56 - t57;
+    let t59 = t7 + t56 + t57;
+    let t60 = t58 * t59;
+    let t61 = sqrt(t12);
+    let t62 = 0.0 < t12;
+    var t63: f32;
     var t_x = 0.0;
     var t_y = 0.0;
     var width = 0.0;
@@ -220,153 +203,115 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
     var norm = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    var t66 = 0.0;
-    if (0.0 < t63 && t65) {
-        let t67 = sqrt(t12 + t63);
-        let t68 = sqrt(t63);
-        let t69 = 1.0 / (t67 * t7);
-        let t70 = t69 * t7;
-        let t71 = t69 * t67;
-        let t72 = t64 * t70;
-        let t73 = t68 * t70;
-        let t74 = t73 * t73;
-        let t75 = abs(t59) * t71;
-        let t76 = t75 * t72;
-        let t77 = t72 - 0.5;
-        let t78 = t76 - 0.5;
-        let t79 = t77 * t77;
-        let t80 = t78 * t78;
-        let t81 = fma(0.05430631, t79, 0.080950715);
-        let t82 = fma(t81, t79, 0.1684019);
-        let t83 = fma(t82, t79, 0.32709444);
-        let t84 = fma(t83, t79, 0.5987523);
-        let t85 = fma(-0.026061837, t79, -0.06372378);
-        let t86 = fma(t85, t79, -0.11762552);
-        let t87 = fma(t86, t79, -0.23594604);
-        let t88 = fma(t87, t79, -0.44721135);
-        let t89 = fma(t88, t79, -0.7754678);
-        let t90 = fma(t89, t77, fma(t84, t79, 0.94559944));
-        let t91 = fma(t78, fma(fma(fma(fma(-0.026061837, t80, t85), t80, t86), t80, t87), t80, t88), fma(fma(fma(fma(0.05430631, t80, t81), t80, t82), t80, t83), t80, t84));
-        let t92 = fma(t91, t77 + t78, t89);
-        let t93 = fma(t76, t92, t90);
-        t_x = t72;
-        t_y = t73;
-        width = t74 / (1.0 + t72);
-        kappa = t75;
-        cut = t76;
-        shape = t90;
-        shape_difference = t92;
-        norm = t93;
-        tau = t68 * t71;
-        area = t74 * t73 * (spherecap_min(t61, t62) * t71) * t93;
-        t66 = t67;
+    if (0.0 < t60 && t62) {
+        t63 = sqrt(t12 + t60);
+        let t64 = sqrt(t60);
+        let t65 = 1.0 / (t63 * t7);
+        let t66 = t65 * t7;
+        let t67 = t65 * t63;
+        t_x = t61 * t66;
+        t_y = t64 * t66;
+        let t68 = t_y * t_y;
+        kappa = abs(t56) * t67;
+        cut = kappa * t_x;
+        let t69 = t_x - 0.5;
+        let t70 = cut - 0.5;
+        let t71 = t69 * t69;
+        let t72 = t70 * t70;
+        let t73 = fma(0.05430631, t71, 0.080950715);
+        let t74 = fma(t73, t71, 0.1684019);
+        let t75 = fma(t74, t71, 0.32709444);
+        let t76 = fma(t75, t71, 0.5987523);
+        let t77 = fma(-0.026061837, t71, -0.06372378);
+        let t78 = fma(t77, t71, -0.11762552);
+        let t79 = fma(t78, t71, -0.23594604);
+        let t80 = fma(t79, t71, -0.44721135);
+        let t81 = fma(t80, t71, -0.7754678);
+        shape = fma(t81, t69, fma(t76, t71, 0.94559944));
+        let t82 = fma(t70, fma(fma(fma(fma(-0.026061837, t72, t77), t72, t78), t72, t79), t72, t80), fma(fma(fma(fma(0.05430631, t72, t73), t72, t74), t72, t75), t72, t76));
+        shape_difference = fma(t82, t69 + t70, t81);
+        norm = fma(cut, shape_difference, shape);
+        width = t68 / (1.0 + t_x);
+        tau = t64 * t67;
+        area = t68 * t_y * (min(t59, t58) * t67) * norm;
     } else {
-        t66 = t35;
+        t63 = t33;
     }
-    let t94 = sqrt(t11);
-    let t95 = 1.0 / t94;
-    let radius_sin = t7 * t95;
-    let radius_cos = t64 * t95;
-    let elevation_sin = t59 * t95;
-    let elevation_cos = t66 * t95;
-    let t96 = abs(elevation_sin);
+    let t83 = sqrt(t11);
+    let t84 = 1.0 / t83;
+    let radius_sin = t7 * t84;
+    let radius_cos = t61 * t84;
+    let elevation_sin = t56 * t84;
+    let elevation_cos = t63 * t84;
+    let t85 = abs(elevation_sin);
     let climb = radius_sin * elevation_cos;
-    let rise = spherecap_max(t63 * (t95 * t95) / fma(radius_cos, t96, climb), -(radius_cos * t96));
-    let t97 = radius_sin * radius_sin;
-    let t98 = 0.0 < elevation_sin;
-    let t99 = select(area, fma(t97 * t96, 3.1415927, area), t98);
-    let t100 = 9.8607613e-32 < t97;
-    let t101 = 1.0 / t34;
-    let sideways_x = t31 * t101;
-    let sideways_y = t32 * t101;
-    let sideways_z = t33 * t101;
-    let distance = t94 * select(unscale, 1.0, t2);
-    let projected_above = select(0.0, t99, 9.403955e-38 < t99 && t100 && t65);
-    let t102 = 0.0 < tau;
+    let rise = max(-(radius_cos * t85), t60 * (t84 * t84) / fma(radius_cos, t85, climb));
+    let t86 = radius_sin * radius_sin;
+    let t87 = 0.0 < elevation_sin;
+    let t88 = select(area, fma(t86 * t85, 3.1415927, area), t87);
+    let t89 = 9.8607613e-32 < t86;
+    let towards_centre = vec3f(t4, t5, t6) * t84;
+    let t90 = 1.0 / t32;
+    let sideways = vec3f(t29, t30, t31) * t90;
+    let distance = t83 * select(unscale, 1.0, t1);
+    let projected_above = select(0.0, t88, 9.403955e-38 < t88 && t89 && t62);
+    let t91 = 0.0 < tau;
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
-    let t103 = select(0.0, inv_above, t98);
-    let t104 = t102 && t98 && 0.0 < t103;
-    let t105 = t_y * t_y * t_y * shape * t103;
-    let t106 = t_y / radius_sin;
-    let beyond = select(0.0, t106 * t106 * t106 * fma(cut - t_x, shape_difference, shape), t104);
-    var coefficients_0 = 0.0;
-    var coefficients_1 = 0.0;
-    var coefficients_2 = 0.0;
-    var coefficients_3 = 0.0;
-    var coefficients_4 = 0.0;
-    var coefficients_5 = 0.0;
-    var coefficients_6 = 0.0;
-    if (t102 && !t98) {
-        let t107 = 1.0 + kappa;
-        let t108 = t107 * shape;
-        let t109 = 1.0 / (norm * t108);
-        let t110 = sqrt(t109);
-        let t111 = norm * t110;
-        let t112 = 1.0 / (1.0 + cut);
-        let t113 = (t_x + kappa) * t112 - 0.5;
-        let t114 = t113 * t113;
-        let t115 = fma(fma(fma(-0.026061837, t114, -0.06372378), t114, -0.11762552), t114, -0.23594604);
-        let t116 = fma(fma(fma(0.05430631, t114, 0.080950715), t114, 0.1684019), t114, 0.32709444);
-        let t117 = fma(fma(fma(t115, t114, -0.44721135), t114, -0.7754678), t113, fma(fma(t116, t114, 0.5987523), t114, 0.94559944));
-        let t118 = t107 * t117 * (t112 * t112 * t112) * (t108 * t109);
-        let t119 = fma(t118, t108 * t110, -1.0);
-        let t120 = 1.0 - t118;
-        let t121 = fma(fma(30.011856, t119, fma(-41.541264, t120, -37.009792)), t119, fma(77.96775, t120, 7.470758));
-        let t122 = fma(fma(fma(fma(15.716111, t120, 0.0), t120, 9.961183), t120, -2.61785), t120, 0.8681748);
-        let t123 = fma(fma(t121, t119, fma(fma(-49.13454, t120, -9.466533), t120, -1.5877596)), t119, t122);
-        let t124 = t119 * t123;
-        let t125 = fma(fma(7.295638, t119, -7.236236), t119, fma(fma(fma(-11.4868555, t120, 0.0), t120, 0.0), t120, 3.1255686));
-        let t126 = fma(fma(fma(13.728438, t120, -7.981878), t120, 2.025724), t120, -0.7334958);
-        let t127 = t119 * fma(t125, t119, t126);
-        let t128 = fma(fma(-23.220068, t120, 7.332055), t119, fma(fma(fma(9.986537, t120, 25.22195), t120, 0.0), t120, -2.9581387));
-        let t129 = fma(fma(fma(-19.722994, t120, 4.6594768), t120, -0.89538246), t120, 0.5143498);
-        let t130 = t119 * fma(t128, t119, t129);
-        let t131 = fma(fma(fma(1.946617, t119, -3.077631), t119, 1.4945927), t119, -0.24140751);
-        let t132 = t119 * t131;
-        let t133 = t119 * fma(fma(0.38173297, t119, -0.30305624), t119, 0.05897375);
-        coefficients_0 = t111;
-        coefficients_1 = t118 - t111 + t124;
-        coefficients_2 = t127 - t124;
-        coefficients_3 = t130 - t127;
-        coefficients_4 = t132 - t130;
-        coefficients_5 = t133 - t132;
-        coefficients_6 = -t133;
+    let t92 = select(0.0, inv_above, t87);
+    let t93 = t91 && t87 && 0.0 < t92;
+    let t94 = t_y * t_y * t_y * shape * t92;
+    let t95 = t_y / radius_sin;
+    let beyond = select(0.0, t95 * t95 * t95 * fma(cut - t_x, shape_difference, shape), t93);
+    var b_0 = 0.0;
+    var b_1 = 0.0;
+    var b_2 = 0.0;
+    var b_3 = 0.0;
+    var b_4 = 0.0;
+    var b_5 = 0.0;
+    var b_6 = 0.0;
+    if (t91 && !t87) {
+        let t96 = 1.0 + kappa;
+        let t97 = t96 * shape;
+        let t98 = 1.0 / (norm * t97);
+        let t99 = sqrt(t98);
+        b_0 = norm * t99;
+        let t100 = 1.0 / (1.0 + cut);
+        let t101 = (t_x + kappa) * t100 - 0.5;
+        let t102 = t101 * t101;
+        let t103 = fma(fma(fma(-0.026061837, t102, -0.06372378), t102, -0.11762552), t102, -0.23594604);
+        let t104 = fma(fma(fma(0.05430631, t102, 0.080950715), t102, 0.1684019), t102, 0.32709444);
+        let t105 = fma(fma(fma(t103, t102, -0.44721135), t102, -0.7754678), t101, fma(fma(t104, t102, 0.5987523), t102, 0.94559944));
+        let t106 = t96 * t105 * (t100 * t100 * t100) * (t97 * t98);
+        let t107 = fma(t106, t97 * t99, -1.0);
+        let t108 = 1.0 - t106;
+        let t109 = fma(fma(30.011856, t107, fma(-41.541264, t108, -37.009792)), t107, fma(77.96775, t108, 7.470758));
+        let t110 = fma(fma(fma(15.716111 * t108, t108, 9.961183), t108, -2.61785), t108, 0.8681748);
+        let t111 = fma(fma(t109, t107, fma(fma(-49.13454, t108, -9.466533), t108, -1.5877596)), t107, t110);
+        let t112 = t107 * t111;
+        let t113 = fma(fma(7.295638, t107, -7.236236), t107, fma(-11.4868555 * t108 * t108, t108, 3.1255686));
+        let t114 = fma(fma(fma(13.728438, t108, -7.981878), t108, 2.025724), t108, -0.7334958);
+        let t115 = t107 * fma(t113, t107, t114);
+        let t116 = fma(fma(-23.220068, t108, 7.332055), t107, fma(fma(9.986537, t108, 25.22195) * t108, t108, -2.9581387));
+        let t117 = fma(fma(fma(-19.722994, t108, 4.6594768), t108, -0.89538246), t108, 0.5143498);
+        let t118 = t107 * fma(t116, t107, t117);
+        let t119 = fma(fma(fma(1.946617, t107, -3.077631), t107, 1.4945927), t107, -0.24140751);
+        let t120 = t107 * t119;
+        let t121 = t107 * fma(fma(0.38173297, t107, -0.30305624), t107, 0.05897375);
+        b_1 = t106 - b_0 + t112;
+        b_2 = t115 - t112;
+        b_3 = t118 - t115;
+        b_4 = t120 - t118;
+        b_5 = t121 - t120;
+        b_6 = -t121;
     }
-    let t134 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
-    let t135 = select(0.0, t97 / (1.0 + radius_cos), t100 && 0.0 < radius_cos) * 6.2831855;
-    var light: spherecap_surface_light;
-    light.is_sampled = t134;
-    light.solid_angle = select(0.0, t135, t134);
-    light.projected_solid_angle = select(0.0, projected_above, t134);
-    light.towards_centre = vec3f(t4 * t95, t5 * t95, t6 * t95);
-    light.sideways = vec3f(sideways_x, sideways_y, sideways_z);
-    light.normal = vec3f(normal.x, normal.y, normal.z);
-    light.distance = distance;
-    light.radius_sin = radius_sin;
-    light.radius_cos = radius_cos;
-    light.elevation_sin = elevation_sin;
-    light.elevation_cos = elevation_cos;
-    light.tau = tau;
-    light.kappa = kappa;
-    light.width = width;
-    light.cut = cut;
-    light.rise = rise;
-    light.inv_above = inv_above;
-    light.third_axis = vec3f(fma(sideways_y, normal.z, -(sideways_z * normal.y)), fma(sideways_z, normal.x, -(sideways_x * normal.z)), fma(sideways_x, normal.y, -(sideways_y * normal.x)));
-    light.crescent_share = select(0.0, t105, t104);
-    light.inv_rest = select(1.0, 1.0 / (1.0 - t105), t104);
-    light.beyond = beyond;
-    light.middle = elevation_cos * radius_cos;
-    light.half_axis = radius_sin * t96;
-    light.climb = climb;
-    light.coefficients_0 = coefficients_0;
-    light.coefficients_1 = coefficients_1;
-    light.coefficients_2 = coefficients_2;
-    light.coefficients_3 = coefficients_3;
-    light.coefficients_4 = coefficients_4;
-    light.coefficients_5 = coefficients_5;
-    light.coefficients_6 = coefficients_6;
-    return light;
+    let t122 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
+    let t123 = select(0.0, t86 / (1.0 + radius_cos), 0.0 < radius_cos && t89) * 6.2831855;
+    return spherecap_surface_light(
+        t122, select(0.0, t123, t122), select(0.0, projected_above, t122), towards_centre, sideways, normal,
+        distance, radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise,
+        inv_above, cross(sideways, normal), select(0.0, t94, t93), select(1.0, 1.0 / (1.0 - t94), t93),
+        beyond, elevation_cos * radius_cos, radius_sin * t85, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
+    );
 }
 
 fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) -> spherecap_sample {
@@ -375,117 +320,100 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     }
     let t1 = abs(light.elevation_sin);
     let t2 = 0.0 < light.tau;
-    let t3 = t2 && !(0.0 < light.elevation_sin);
-    let t4 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
-    let t5 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
-    let t6 = !t2 || (!t3 && light.crescent_share <= t4);
-    let t7 = 1.0 - t5;
-    let t8 = t5 - t7;
-    let t9 = 4.0 * t5 * t7;
-    let t10 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-    let t11 = select(t4, spherecap_min(t10, 0.99999994), t2);
-    let t12 = select(0.0, light.beyond, t2);
-    let t13 = 3.1415927 - t12;
-    let t14 = fma(t11, t13, t12);
-    let t15 = (1.0 - t11) * t13;
-    var t16 = 0.0;
-    var t17 = 0.0;
-    var t18 = 0.0;
-    var t19 = 0.0;
-    if (t6) {
-        t17 = spherecap_min(t14, t15) * 0.53033006;
-        t18 = 1.0;
-        t19 = 1.0;
+    let t3 = !(0.0 < light.elevation_sin) && t2;
+    let t4 = min(0.99999994, max(5.9604645e-8, u0));
+    let t5 = min(0.99999994, max(5.9604645e-8, u1));
+    let t6 = light.crescent_share <= t4 && !t3;
+    let t7 = !t2 || t6;
+    let t8 = 1.0 - t5;
+    let t9 = t5 - t8;
+    let t10 = 4.0 * t5 * t8;
+    var t11: f32;
+    var t12: f32;
+    var t13: f32;
+    var t14: f32;
+    if (t7) {
+        let t15 = min(0.99999994, max(5.9604645e-8, (t4 - light.crescent_share) * light.inv_rest));
+        let t16 = select(t4, t15, t2);
+        let t17 = select(0.0, light.beyond, t2);
+        let t18 = 3.1415927 - t17;
+        let t19 = fma(t16, t18, t17);
+        let t20 = (1.0 - t16) * t18;
+        t11 = min(t20, t19) * 0.53033006;
+        t12 = 1.0;
+        t13 = 1.0;
+        t14 = t19 - t20;
     } else {
-        let t20 = sqrt(t9);
-        let t21 = fma(fma(light.coefficients_6, t9, light.coefficients_4), t9, light.coefficients_2);
-        let t22 = fma(fma(light.coefficients_5, t9, light.coefficients_3), t9, light.coefficients_1);
-        let t23 = t20 * fma(t22, t20, fma(t21, t9, light.coefficients_0));
-        let t24 = sqrt(fma(t8, t8, t23 * t23));
+        let t21 = sqrt(t10);
+        let t22 = fma(fma(fma(light.b_5, t10, light.b_3), t10, light.b_1), t21, fma(fma(fma(light.b_6, t10, light.b_4), t10, light.b_2), t10, light.b_0));
+        let t23 = t21 * t22;
+        let t24 = sqrt(fma(t9, t9, t23 * t23));
         let t25 = light.tau * t23;
-        let t26 = select(1.0, fma(t8, t8, t25 * t25), t3);
-        let t27 = select(light.crescent_share, fma(light.kappa, t23, t24) * fma(light.cut, t23, t24), t3);
-        let t28 = select(t4, light.width, t3) / t27;
-        let t29 = select(spherecap_min(spherecap_max(t28, 5.9604645e-8), 0.99999994), t4, t3);
-        let t30 = select(light.width, t28, t3);
-        let t31 = t26 * t30;
-        let t32 = t31 * t31;
-        let t33 = fma(fma(fma(-0.00060778117, t32, -0.0027203285), t32, -0.10000902), t31, fma(fma(1.0676054e-5, t32, -0.011332183), t32, 1.0000001));
-        t16 = select(t20, t25, t3);
-        t17 = t29;
-        t18 = t30 * t33;
-        t19 = t26;
+        t13 = select(1.0, fma(t9, t9, t25 * t25), t3);
+        let t26 = select(light.crescent_share, fma(light.kappa, t23, t24) * fma(light.cut, t23, t24), t3);
+        let t27 = select(t4, light.width, t3) / t26;
+        let t28 = select(light.width, t27, t3);
+        let t29 = t13 * t28;
+        let t30 = t29 * t29;
+        let t31 = fma(fma(fma(-0.00060778117, t30, -0.0027203285), t30, -0.10000902), t29, fma(fma(1.0676054e-5, t30, -0.011332183), t30, 1.0000001));
+        t11 = select(min(0.99999994, max(5.9604645e-8, t27)), t4, t3);
+        t12 = t28 * t31;
+        t14 = select(t21, t25, t3);
     }
-    let t34 = spherecap_float_of_bits(fma(spherecap_bits(t17), -0.33333334, 1419900500.0));
-    let t35 = fma(-(t17 * t34), t34 * t34, 1.0);
-    let t36 = t35 * t35;
-    let t37 = fma(fma(fma(0.110958695, t36, 0.14403293), t36, 0.22222222), t35, fma(fma(0.12482853, t36, 0.17283951), t36, 0.33333334));
-    let t38 = t18 * (t17 * fma(t34, t35 * t37, t34));
-    let t39 = t38 * t19;
-    let t40 = t39 * t39;
-    let t41 = fma(fma(fma(-0.063446075, t40, -0.056249518), t40, 0.0074712755), t40, 0.09996679);
-    let t42 = fma(fma(fma(0.022114987, t40, 0.085662976), t40, 0.030445365), t40, 0.03209764);
-    let t43 = t38 * fma(t41, t39, fma(t42, t40, 1.0000004));
-    let t44 = select(t43, spherecap_min(t43, 1.0), t6);
-    let t45 = t19 * t44;
-    let t46 = 2.0 - t45;
-    let t47 = t44 * t46;
-    let t48 = sqrt(t47);
-    var t49 = 0.0;
-    var t50 = 0.0;
-    var zenith = 0.0;
-    var side = 0.0;
-    var cosine = 0.0;
-    if (t6) {
-        let t51 = select(t46, t45, t14 - t15 < 0.0);
-        let t52 = t47 * t9;
-        let t53 = 1.0 - t51;
-        let t54 = spherecap_max(fma(light.climb, t51, -light.rise), 0.0);
-        let t55 = sqrt(fma(t54, t54, light.radius_sin * light.radius_sin * t52));
-        let t56 = t1 * light.radius_cos;
-        let t57 = fma(light.elevation_cos * t53, fma(light.climb, t53, -2.0 * t56), light.radius_sin * t52);
-        let t58 = light.radius_sin * fma(light.elevation_cos, t57 / (t55 + t56), -(t1 * t1 * t53));
-        t49 = fma(light.half_axis, t53, light.middle);
-        t50 = t55;
-        zenith = t58;
-        side = light.radius_sin * t48 * t8;
-        cosine = t55;
+    let t32 = spherecap_float_of_bits(fma(spherecap_bits(t11), -0.33333334, 1419900500.0));
+    let t33 = fma(-(t11 * t32), t32 * t32, 1.0);
+    let t34 = t33 * t33;
+    let t35 = fma(fma(fma(0.110958695, t34, 0.14403293), t34, 0.22222222), t33, fma(fma(0.12482853, t34, 0.17283951), t34, 0.33333334));
+    let t36 = t12 * (t11 * fma(t32, t33 * t35, t32));
+    let t37 = t36 * t13;
+    let t38 = t37 * t37;
+    let t39 = fma(fma(fma(-0.063446075, t38, -0.056249518), t38, 0.0074712755), t38, 0.09996679);
+    let t40 = fma(fma(fma(0.022114987, t38, 0.085662976), t38, 0.030445365), t38, 0.03209764);
+    let t41 = t36 * fma(t39, t37, fma(t40, t38, 1.0000004));
+    let t42 = select(t41, min(1.0, t41), t7);
+    let t43 = t13 * t42;
+    let t44 = 2.0 - t43;
+    let t45 = t42 * t44;
+    let t46 = sqrt(t45);
+    var zenith: f32;
+    var side: f32;
+    var cosine: f32;
+    var t47: f32;
+    if (t7) {
+        let t48 = select(t44, t43, t14 < 0.0);
+        let t49 = t45 * t10;
+        let t50 = 1.0 - t48;
+        let t51 = max(0.0, fma(light.climb, t48, -light.rise));
+        cosine = sqrt(fma(t51, t51, light.radius_sin * light.radius_sin * t49));
+        let t52 = t1 * light.radius_cos;
+        let t53 = fma(light.elevation_cos * t50, fma(light.climb, t50, -2.0 * t52), light.radius_sin * t49);
+        zenith = light.radius_sin * fma(light.elevation_cos, t53 / (cosine + t52), -(t1 * t1 * t50));
+        side = light.radius_sin * t46 * t9;
+        t47 = fma(light.half_axis, t50, light.middle);
     } else {
-        let t59 = t48 * t16;
-        let t60 = 1.0 - t45;
-        t49 = t60;
-        t50 = t59;
-        zenith = fma(light.elevation_cos, t59, -(select(t1, -t1, t3) * t60));
-        side = t48 * t8;
-        cosine = t59;
+        cosine = t46 * t14;
+        t47 = 1.0 - t43;
+        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t3) * t47));
+        side = t46 * t9;
     }
-    let t61 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t62 = fma(zenith, zenith, side * side);
-    let t63 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t62), 0.0);
-    let t64 = sqrt(t63);
-    let t65 = sqrt(fma(light.radius_cos, light.radius_cos, t63));
-    let t66 = light.radius_cos * light.radius_cos / (t65 + t64);
-    let t67 = 1.0 / light.radius_sin;
-    let t68 = t66 * t67;
-    let t69 = -fma(t65, t64, t62) * t67;
-    let t70 = t68 * zenith;
-    let t71 = t68 * side;
-    let t72 = fma(light.third_axis.x, t49, fma(light.sideways.x, side, light.normal.x * t50));
-    let t73 = fma(light.third_axis.y, t49, fma(light.sideways.y, side, light.normal.y * t50));
-    let t74 = fma(light.third_axis.z, t49, fma(light.sideways.z, side, light.normal.z * t50));
-    let t75 = fma(light.elevation_cos, t69, -(light.elevation_sin * t70));
-    let t76 = fma(light.elevation_sin, t69, light.elevation_cos * t70);
-    let t77 = fma(light.third_axis.x, t75, fma(light.sideways.x, t71, light.normal.x * t76));
-    let t78 = fma(light.third_axis.y, t75, fma(light.sideways.y, t71, light.normal.y * t76));
-    let t79 = fma(light.third_axis.z, t75, fma(light.sideways.z, t71, light.normal.z * t76));
-    var sampled: spherecap_sample;
-    sampled.direction = vec3f(t72, t73, t74);
-    sampled.distance = t66 * light.distance;
-    sampled.normal = vec3f(t77, t78, t79);
-    sampled.cosine = cosine;
-    sampled.pdf = t61 * spherecap_min(abs(cosine), 3.4028235e38);
-    sampled.projected_pdf = t61;
-    return sampled;
+    let t54 = select(0.0, light.inv_above, 0.0 < cosine);
+    let t55 = fma(zenith, zenith, side * side);
+    let t56 = max(0.0, fma(light.radius_sin, light.radius_sin, -t55));
+    let t57 = sqrt(t56);
+    let t58 = sqrt(fma(light.radius_cos, light.radius_cos, t56));
+    let t59 = light.radius_cos * light.radius_cos / (t58 + t57);
+    let t60 = 1.0 / light.radius_sin;
+    let t61 = t59 * t60;
+    let t62 = -fma(t58, t57, t55) * t60;
+    let t63 = t61 * zenith;
+    let t64 = t61 * side;
+    let t65 = fma(light.elevation_cos, t62, -(light.elevation_sin * t63));
+    let t66 = fma(light.elevation_sin, t62, light.elevation_cos * t63);
+    return spherecap_sample(
+        light.third_axis * t47 + light.sideways * side + light.normal * cosine, t59 * light.distance,
+        light.third_axis * t65 + light.sideways * t64 + light.normal * t66, cosine,
+        t54 * min(3.4028235e38, abs(cosine)), t54
+    );
 }
 
 fn spherecap_surface_sample_once(normal: vec3f, centre: vec3f, radius: f32, u0: f32, u1: f32) -> spherecap_sample {
@@ -496,34 +424,28 @@ fn spherecap_surface_pdf_direction(light: spherecap_surface_light, direction: ve
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.towards_centre.y, direction.y, light.towards_centre.z * direction.z);
-    let t2 = fma(light.towards_centre.y, light.sideways.z, -(light.towards_centre.z * light.sideways.y));
-    let t3 = fma(light.towards_centre.z, light.sideways.x, -(light.towards_centre.x * light.sideways.z));
-    let t4 = fma(light.towards_centre.x, light.sideways.y, -(light.towards_centre.y * light.sideways.x));
-    let t5 = fma(light.sideways.x, direction.x, fma(light.sideways.y, direction.y, light.sideways.z * direction.z));
-    let t6 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t7 = fma(light.towards_centre.x, direction.x, t1) < 0.0;
-    let t8 = select(fma(t2, direction.x, fma(t3, direction.y, t4 * direction.z)), 1.0, t7);
-    let t9 = select(t5, 1.0, t7);
-    let t10 = select(0.0, light.inv_above, 0.0 < t6) * spherecap_min(abs(t6), 3.4028235e38);
-    let t11 = select(0.0, t10, fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t12 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    return select(0.0, t11, 0.998001 <= t12 && t12 <= 1.002001);
+    let t1 = dot(light.normal, direction);
+    let t2 = dot(light.towards_centre, direction) < 0.0;
+    let t3 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t2);
+    let t4 = select(dot(light.sideways, direction), 1.0, t2);
+    let t5 = select(0.0, select(0.0, light.inv_above, 0.0 < t1) * min(3.4028235e38, abs(t1)), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t6 = dot(direction, direction);
+    return select(0.0, t5, 0.998001 <= t6 && t6 <= 1.002001);
 }
 
 fn spherecap_surface_pdf_on_sphere(light: spherecap_surface_light, direction: vec3f) -> f32 {
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t2 = select(0.0, light.inv_above, 0.0 < t1) * spherecap_min(abs(t1), 3.4028235e38);
-    let t3 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    return select(0.0, t2, 0.998001 <= t3 && t3 <= 1.002001);
+    let t1 = dot(light.normal, direction);
+    let t2 = dot(direction, direction);
+    let t3 = select(0.0, select(0.0, light.inv_above, 0.0 < t1) * min(3.4028235e38, abs(t1)), 0.998001 <= t2 && t2 <= 1.002001);
+    return t3;
 }
 
 fn spherecap_surface_importance(normal: vec3f, centre: vec3f, radius: f32, strength: f32) -> f32 {
-    let t1 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t1, 8.5070587e37));
+    let t1 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t1));
     let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
     let t2 = centre.x * scale;
     let t3 = centre.y * scale;
@@ -537,12 +459,11 @@ fn spherecap_surface_importance(normal: vec3f, centre: vec3f, radius: f32, stren
     let t11 = fma(normal.x, t2, fma(normal.y, t3, normal.z * t4));
     let t12 = fma(t11, t7, 2.3841858e-7);
     let t13 = fma(t11 + t5, t7, 2.3841858e-7);
-    let t14 = t13 * t13 / (fma(t8 - t12, spherecap_max(fma(-t9, t9, 0.9999981), 0.0), t13) * 2.0);
+    let t14 = t13 * t13 / (fma(t8 - t12, max(0.0, fma(-t9, t9, 0.9999981)), t13) * 2.0);
     let t15 = select(select(0.0, t14, 0.0 < t13), t12, t8 <= t12);
     let t16 = fma(0.0, 0.5 - t15, t15);
-    let t17 = spherecap_min(spherecap_max(t9 * t16 * strength, 1.1754944e-38), 3.4028235e38);
-    let t18 = select(0.0, t17, t9 <= 1.0000019 && 4.9303807e-32 < t9 && t10 && 0.0 < t16);
-    return t18;
+    let t17 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t9 * t16 * strength)), t9 <= 1.0000019 && 4.9303807e-32 < t9 && t10 && 0.0 < t16);
+    return t17;
 }
 
 
@@ -568,7 +489,7 @@ struct spherecap_front_light {
     width: f32,
     cut: f32,
     rise: f32,
-    defensive_share: f32,
+    defensive: f32,
     requested: f32,
     inv_above: f32,
     third_axis: vec3f,
@@ -580,140 +501,133 @@ struct spherecap_front_light {
     middle: f32,
     half_axis: f32,
     climb: f32,
-    coefficients_0: f32,
-    coefficients_1: f32,
-    coefficients_2: f32,
-    coefficients_3: f32,
-    coefficients_4: f32,
-    coefficients_5: f32,
-    coefficients_6: f32,
+    b_0: f32,
+    b_1: f32,
+    b_2: f32,
+    b_3: f32,
+    b_4: f32,
+    b_5: f32,
+    b_6: f32,
 }
 
 fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: f32) -> spherecap_front_light {
     let unknown_zero = bitcast<u32>(radius) & 0x80000000u;
-    let t1 = fma(normal.x, normal.x, fma(normal.y, normal.y, normal.z * normal.z)) - 1.0;
-    var normal_x = 0.0;
-    var normal_y = 0.0;
-    var normal_z = 0.0;
-    if (abs(t1) <= 4.7683716e-7) {
+    var normal_x: f32;
+    var normal_y: f32;
+    var normal_z: f32;
+    if (abs(dot(normal, normal) - 1.0) <= 4.7683716e-7) {
         normal_x = normal.x;
         normal_y = normal.y;
         normal_z = normal.z;
     } else {
-        let t2 = spherecap_max(abs(normal.x) + abs(normal.y) + abs(normal.z), 1.1754944e-38);
-        let t3 = spherecap_power_of_two(spherecap_min(t2, 8.5070587e37));
-        let t4 = normal.x / t3;
-        let t5 = normal.y / t3;
-        let t6 = normal.z / t3;
-        let t7 = spherecap_max(sqrt(fma(t4, t4, fma(t5, t5, t6 * t6))), 1.1754944e-38);
-        normal_x = t4 / t7;
-        normal_y = t5 / t7;
-        normal_z = t6 / t7;
+        let t1 = min(8.5070587e37, max(1.1754944e-38, abs(normal.x) + abs(normal.y) + abs(normal.z)));
+        let t2 = spherecap_power_of_two(t1);
+        let t3 = normal.x / t2;
+        let t4 = normal.y / t2;
+        let t5 = normal.z / t2;
+        let t6 = max(1.1754944e-38, sqrt(fma(t3, t3, fma(t4, t4, t5 * t5))));
+        normal_x = t3 / t6;
+        normal_y = t4 / t6;
+        normal_z = t5 / t6;
     }
-    let t8 = fma(normal_x, normal_x, fma(normal_y, normal_y, normal_z * normal_z));
-    let t9 = fma(centre.x, centre.x, fma(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0;
-    let t10 = t9 && 9.536743e-7 < radius;
-    let t11 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t11, 8.5070587e37));
-    let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t12 = select(centre.x * scale, centre.x, t10);
-    let t13 = select(centre.y * scale, centre.y, t10);
-    let t14 = select(centre.z * scale, centre.z, t10);
-    let t15 = select(radius * scale, radius, t10);
-    let t16 = spherecap_keep(t14 * t14, unknown_zero);
-    let t17 = fma(t12, t12, fma(t13, t13, t16));
-    let t18 = fma(-t15, t15, t17);
-    var t19 = 0.0;
-    var t20 = 0.0;
-    if (t18 < t17 * 0.25) {
+    let t7 = fma(normal_x, normal_x, fma(normal_y, normal_y, normal_z * normal_z));
+    let t8 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    let t9 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t9));
+    let t10 = select(spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale)), 1.0, t8);
+    let t11 = centre.x * t10;
+    let t12 = centre.y * t10;
+    let t13 = centre.z * t10;
+    let t14 = radius * t10;
+    let t15 = spherecap_keep(t13 * t13, unknown_zero);
+    let t16 = fma(t11, t11, fma(t12, t12, t15));
+    let t17 = fma(-t14, t14, t16);
+    var t18: f32;
+    var t19: f32;
+    if (t17 < t16 * 0.25) {
+        let t20 = spherecap_keep(t11 * t11, unknown_zero);
         let t21 = spherecap_keep(t12 * t12, unknown_zero);
-        let t22 = spherecap_keep(t13 * t13, unknown_zero);
-        let t23 = spherecap_keep(t21 + t22, unknown_zero);
-        let t24 = spherecap_keep(t23 - t21, unknown_zero);
-        let t25 = spherecap_keep(t21 - spherecap_keep(t23 - t24, unknown_zero), unknown_zero);
-        let t26 = spherecap_keep(t23 + t16, unknown_zero);
-        let t27 = spherecap_keep(t26 - t23, unknown_zero);
-        let t28 = spherecap_keep(t23 - spherecap_keep(t26 - t27, unknown_zero), unknown_zero);
-        let t29 = spherecap_lost(t12, t12, t21, unknown_zero) + spherecap_lost(t13, t13, t22, unknown_zero);
-        let t30 = t25 + spherecap_keep(t22 - t24, unknown_zero) + (t28 + spherecap_keep(t16 - t27, unknown_zero));
-        let t31 = spherecap_fused(-t15, t15, t26, unknown_zero) + (t29 + spherecap_lost(t14, t14, t16, unknown_zero) + t30);
-        t19 = t26;
-        t20 = t31;
+        let t22 = spherecap_keep(t20 + t21, unknown_zero);
+        let t23 = spherecap_keep(t22 - t20, unknown_zero);
+        let t24 = spherecap_keep(t20 - spherecap_keep(t22 - t23, unknown_zero), unknown_zero);
+        t18 = spherecap_keep(t22 + t15, unknown_zero);
+        let t25 = spherecap_keep(t18 - t22, unknown_zero);
+        let t26 = spherecap_keep(t22 - spherecap_keep(t18 - t25, unknown_zero), unknown_zero);
+        let t27 = spherecap_lost(t11, t11, t20, unknown_zero) + spherecap_lost(t12, t12, t21, unknown_zero);
+        let t28 = t24 + spherecap_keep(t21 - t23, unknown_zero) + (t26 + spherecap_keep(t15 - t25, unknown_zero));
+        t19 = spherecap_fused(-t14, t14, t18, unknown_zero) + (t27 + spherecap_lost(t13, t13, t15, unknown_zero) + t28);
     } else {
+        t18 = t16;
         t19 = t17;
-        t20 = t18;
     }
-    let t32 = 0.0 < t8;
-    let t33 = spherecap_keep(normal_z * t13, unknown_zero);
-    let t34 = spherecap_fused(normal_y, t14, -t33, unknown_zero);
-    let t35 = spherecap_keep(normal_x * t14, unknown_zero);
-    let t36 = spherecap_fused(normal_z, t12, -t35, unknown_zero);
-    let t37 = spherecap_keep(normal_y * t12, unknown_zero);
-    let t38 = spherecap_fused(normal_x, t13, -t37, unknown_zero);
-    let t39 = fma(t34, t34, fma(t36, t36, t38 * t38));
-    var up_x = 0.0;
-    var up_y = 0.0;
-    var up_z = 0.0;
-    var t40 = 0.0;
-    var t41 = 0.0;
-    var t42 = 0.0;
-    var t43 = 0.0;
-    var t44 = 0.0;
-    if (t39 < t19 * 0.015625) {
-        let t45 = t34 - spherecap_lost(normal_z, t13, t33, unknown_zero);
-        let t46 = t36 - spherecap_lost(normal_x, t14, t35, unknown_zero);
-        let t47 = t38 - spherecap_lost(normal_y, t12, t37, unknown_zero);
-        let t48 = fma(t45, t45, fma(t46, t46, t47 * t47));
-        let t49 = t48 < t19 * 5.169879e-26;
-        let t50 = abs(t12) < abs(t14);
-        let t51 = select(-t13, 0.0, t50);
-        let t52 = select(t12, -t14, t50);
-        let t53 = select(0.0, t13, t50);
-        let t54 = sqrt(fma(t51, t51, fma(t52, t52, t53 * t53)));
-        let t55 = sqrt(t19);
-        let t56 = t55 * t54;
-        let t57 = sqrt(t48);
-        let t58 = select(normal_x, select(fma(t13, t53, -(t14 * t52)) / t56, normal_x, t32), t49);
-        let t59 = select(normal_y, select(fma(t14, t51, -(t12 * t53)) / t56, normal_y, t32), t49);
-        let t60 = select(normal_z, select(fma(t12, t52, -(t13 * t51)) / t56, normal_z, t32), t49);
-        up_x = t58;
-        up_y = t59;
-        up_z = t60;
-        t40 = select(t45, t51, t49);
-        t41 = select(t46, t52, t49);
-        t42 = select(t47, t53, t49);
-        t43 = select(t57, t54, t49);
-        t44 = select(t57, select(t55, 0.0, t32), t49);
+    let t29 = 0.0 < t7;
+    let t30 = spherecap_keep(normal_z * t12, unknown_zero);
+    let t31 = spherecap_fused(normal_y, t13, -t30, unknown_zero);
+    let t32 = spherecap_keep(normal_x * t13, unknown_zero);
+    let t33 = spherecap_fused(normal_z, t11, -t32, unknown_zero);
+    let t34 = spherecap_keep(normal_y * t11, unknown_zero);
+    let t35 = spherecap_fused(normal_x, t12, -t34, unknown_zero);
+    let t36 = fma(t31, t31, fma(t33, t33, t35 * t35));
+    var up_x: f32;
+    var up_y: f32;
+    var up_z: f32;
+    var t37: f32;
+    var t38: f32;
+    var t39: f32;
+    var t40: f32;
+    var t41: f32;
+    if (t36 < t18 * 0.015625) {
+        let t42 = t31 - spherecap_lost(normal_z, t12, t30, unknown_zero);
+        let t43 = t33 - spherecap_lost(normal_x, t13, t32, unknown_zero);
+        let t44 = t35 - spherecap_lost(normal_y, t11, t34, unknown_zero);
+        let t45 = fma(t42, t42, fma(t43, t43, t44 * t44));
+        let t46 = t45 < t18 * 5.169879e-26;
+        let t47 = abs(t11) < abs(t13);
+        let t48 = select(-t12, 0.0, t47);
+        let t49 = select(t11, -t13, t47);
+        let t50 = select(0.0, t12, t47);
+        let t51 = sqrt(fma(t48, t48, fma(t49, t49, t50 * t50)));
+        let t52 = sqrt(t18);
+        let t53 = t52 * t51;
+        let t54 = sqrt(t45);
+        up_x = select(normal_x, select(fma(t12, t50, -(t13 * t49)) / t53, normal_x, t29), t46);
+        up_y = select(normal_y, select(fma(t13, t48, -(t11 * t50)) / t53, normal_y, t29), t46);
+        up_z = select(normal_z, select(fma(t11, t49, -(t12 * t48)) / t53, normal_z, t29), t46);
+        t37 = select(t42, t48, t46);
+        t38 = select(t43, t49, t46);
+        t39 = select(t44, t50, t46);
+        t40 = select(t54, t51, t46);
+        t41 = select(t54, select(t52, 0.0, t29), t46);
     } else {
-        let t61 = sqrt(t39);
+        t40 = sqrt(t36);
         up_x = normal_x;
         up_y = normal_y;
         up_z = normal_z;
-        t40 = t34;
-        t41 = t36;
-        t42 = t38;
-        t43 = t61;
-        t44 = t61;
+        t37 = t31;
+        t38 = t33;
+        t39 = t35;
+        t41 = t40;
     }
-    let t62 = spherecap_keep(normal_x * t12, unknown_zero);
-    let t63 = spherecap_keep(normal_y * t13, unknown_zero);
-    let t64 = spherecap_keep(normal_z * t14, unknown_zero);
-    let t65 = spherecap_keep(t62 + t63, unknown_zero);
-    let t66 = spherecap_keep(t65 - t62, unknown_zero);
-    let t67 = spherecap_keep(t62 - spherecap_keep(t65 - t66, unknown_zero), unknown_zero);
-    let t68 = spherecap_keep(t65 + t64, unknown_zero);
-    let t69 = spherecap_keep(t68 - t65, unknown_zero);
-    let t70 = spherecap_keep(t65 - spherecap_keep(t68 - t69, unknown_zero), unknown_zero);
-    let t71 = spherecap_lost(normal_x, t12, t62, unknown_zero) + spherecap_lost(normal_y, t13, t63, unknown_zero);
-    let t72 = t67 + spherecap_keep(t63 - t66, unknown_zero) + (t70 + spherecap_keep(t64 - t69, unknown_zero));
-    let t73 = t71 + spherecap_lost(normal_z, t14, t64, unknown_zero) + t72;
-    let t74 = spherecap_keep(t68 + t73, unknown_zero);
-    let t75 = spherecap_keep(t73 - spherecap_keep(t74 - t68, unknown_zero), unknown_zero);
-    let t76 = t15 - t74 - t75;
-    let t77 = t15 + t74 + t75;
-    let t78 = t76 * t77;
-    let t79 = sqrt(t20);
-    let t80 = 0.0 < t20;
+    let t55 = spherecap_keep(normal_x * t11, unknown_zero);
+    let t56 = spherecap_keep(normal_y * t12, unknown_zero);
+    let t57 = spherecap_keep(normal_z * t13, unknown_zero);
+    let t58 = spherecap_keep(t55 + t56, unknown_zero);
+    let t59 = spherecap_keep(t58 - t55, unknown_zero);
+    let t60 = spherecap_keep(t55 - spherecap_keep(t58 - t59, unknown_zero), unknown_zero);
+    let t61 = spherecap_keep(t58 + t57, unknown_zero);
+    let t62 = spherecap_keep(t61 - t58, unknown_zero);
+    let t63 = spherecap_keep(t58 - spherecap_keep(t61 - t62, unknown_zero), unknown_zero);
+    let t64 = spherecap_lost(normal_x, t11, t55, unknown_zero) + spherecap_lost(normal_y, t12, t56, unknown_zero);
+    let t65 = t60 + spherecap_keep(t56 - t59, unknown_zero) + (t63 + spherecap_keep(t57 - t62, unknown_zero));
+    let t66 = t64 + spherecap_lost(normal_z, t13, t57, unknown_zero) + t65;
+    let t67 = spherecap_keep(t61 + t66, unknown_zero);
+    let t68 = spherecap_keep(t66 - spherecap_keep(t67 - t61, unknown_zero), unknown_zero);
+    let t69 = t14 - t67 - t68;
+    let t70 = t14 + t67 + t68;
+    let t71 = t69 * t70;
+    let t72 = sqrt(t19);
+    let t73 = 0.0 < t19;
+    var t74: f32;
     var t_x = 0.0;
     var t_y = 0.0;
     var width = 0.0;
@@ -724,165 +638,125 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     var norm = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    var t81 = 0.0;
-    if (0.0 < t78 && t32 && t80) {
-        let t82 = sqrt(t20 + t78);
-        let t83 = sqrt(t78);
-        let t84 = 1.0 / (t82 * t15);
-        let t85 = t84 * t15;
-        let t86 = t84 * t82;
-        let t87 = t79 * t85;
-        let t88 = t83 * t85;
-        let t89 = t88 * t88;
-        let t90 = abs(t74) * t86;
-        let t91 = t90 * t87;
-        let t92 = t87 - 0.5;
-        let t93 = t91 - 0.5;
-        let t94 = t92 * t92;
-        let t95 = t93 * t93;
-        let t96 = fma(0.05430631, t94, 0.080950715);
-        let t97 = fma(t96, t94, 0.1684019);
-        let t98 = fma(t97, t94, 0.32709444);
-        let t99 = fma(t98, t94, 0.5987523);
-        let t100 = fma(-0.026061837, t94, -0.06372378);
-        let t101 = fma(t100, t94, -0.11762552);
-        let t102 = fma(t101, t94, -0.23594604);
-        let t103 = fma(t102, t94, -0.44721135);
-        let t104 = fma(fma(fma(fma(-0.026061837, t95, t100), t95, t101), t95, t102), t95, t103);
-        let t105 = fma(t103, t94, -0.7754678);
-        let t106 = fma(t105, t92, fma(t99, t94, 0.94559944));
-        let t107 = fma(t93, t104, fma(fma(fma(fma(0.05430631, t95, t96), t95, t97), t95, t98), t95, t99));
-        let t108 = fma(t107, t92 + t93, t105);
-        let t109 = fma(t91, t108, t106);
-        t_x = t87;
-        t_y = t88;
-        width = t89 / (1.0 + t87);
-        kappa = t90;
-        cut = t91;
-        shape = t106;
-        shape_difference = t108;
-        norm = t109;
-        tau = t83 * t86;
-        area = t89 * t88 * (spherecap_min(t76, t77) * t86) * t109;
-        t81 = t82;
+    if (0.0 < t71 && t29 && t73) {
+        t74 = sqrt(t19 + t71);
+        let t75 = sqrt(t71);
+        let t76 = 1.0 / (t74 * t14);
+        let t77 = t76 * t14;
+        let t78 = t76 * t74;
+        t_x = t72 * t77;
+        t_y = t75 * t77;
+        let t79 = t_y * t_y;
+        kappa = abs(t67) * t78;
+        cut = kappa * t_x;
+        let t80 = t_x - 0.5;
+        let t81 = cut - 0.5;
+        let t82 = t80 * t80;
+        let t83 = t81 * t81;
+        let t84 = fma(0.05430631, t82, 0.080950715);
+        let t85 = fma(t84, t82, 0.1684019);
+        let t86 = fma(t85, t82, 0.32709444);
+        let t87 = fma(t86, t82, 0.5987523);
+        let t88 = fma(-0.026061837, t82, -0.06372378);
+        let t89 = fma(t88, t82, -0.11762552);
+        let t90 = fma(t89, t82, -0.23594604);
+        let t91 = fma(t90, t82, -0.44721135);
+        let t92 = fma(t91, t82, -0.7754678);
+        shape = fma(t92, t80, fma(t87, t82, 0.94559944));
+        let t93 = fma(t81, fma(fma(fma(fma(-0.026061837, t83, t88), t83, t89), t83, t90), t83, t91), fma(fma(fma(fma(0.05430631, t83, t84), t83, t85), t83, t86), t83, t87));
+        shape_difference = fma(t93, t80 + t81, t92);
+        norm = fma(cut, shape_difference, shape);
+        width = t79 / (1.0 + t_x);
+        tau = t75 * t78;
+        area = t79 * t_y * (min(t70, t69) * t78) * norm;
     } else {
-        t81 = t44;
+        t74 = t41;
     }
-    let t110 = sqrt(t19);
-    let t111 = 1.0 / t110;
-    let radius_sin = t15 * t111;
-    let radius_cos = t79 * t111;
-    let elevation_sin = t74 * t111;
-    let elevation_cos = t81 * t111;
-    let t112 = abs(elevation_sin);
+    let t94 = sqrt(t18);
+    let t95 = 1.0 / t94;
+    let radius_sin = t14 * t95;
+    let radius_cos = t72 * t95;
+    let elevation_sin = t67 * t95;
+    let elevation_cos = t74 * t95;
+    let t96 = abs(elevation_sin);
     let climb = radius_sin * elevation_cos;
-    let rise = spherecap_max(t78 * (t111 * t111) / fma(radius_cos, t112, climb), -(radius_cos * t112));
-    let t113 = radius_sin * radius_sin;
-    let t114 = 0.0 < elevation_sin;
-    let t115 = select(area, fma(t113 * t112, 3.1415927, area), t114);
-    let t116 = 9.8607613e-32 < t113;
-    let t117 = 1.0 / t43;
-    let sideways_x = t40 * t117;
-    let sideways_y = t41 * t117;
-    let sideways_z = t42 * t117;
-    let on_surface = select(0.0, 1.0, t32);
-    let distance = t110 * select(unscale, 1.0, t10);
-    let projected_above = select(0.0, t115, 9.403955e-38 < t115 && t116 && t80);
-    let t118 = 0.0 < tau;
+    let rise = max(-(radius_cos * t96), t71 * (t95 * t95) / fma(radius_cos, t96, climb));
+    let t97 = radius_sin * radius_sin;
+    let t98 = 0.0 < elevation_sin;
+    let t99 = select(area, fma(t97 * t96, 3.1415927, area), t98);
+    let t100 = 9.8607613e-32 < t97;
+    let towards_centre = vec3f(t11, t12, t13) * t95;
+    let t101 = 1.0 / t40;
+    let sideways = vec3f(t37, t38, t39) * t101;
+    let on_surface = select(0.0, 1.0, t29);
+    let distance = t94 * select(unscale, 1.0, t8);
+    let projected_above = select(0.0, t99, 9.403955e-38 < t99 && t100 && t73);
+    let t102 = 0.0 < tau;
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
-    let t119 = 0.0 < inv_above;
-    let t120 = select(0.0, inv_above, t114);
-    let defensive_share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t119);
-    let t121 = t118 && t114 && 0.0 < t120;
-    let t122 = t_y * t_y * t_y * shape * t120;
-    let t123 = t_y / radius_sin;
-    let beyond = select(0.0, t123 * t123 * t123 * fma(cut - t_x, shape_difference, shape), t121);
-    var coefficients_0 = 0.0;
-    var coefficients_1 = 0.0;
-    var coefficients_2 = 0.0;
-    var coefficients_3 = 0.0;
-    var coefficients_4 = 0.0;
-    var coefficients_5 = 0.0;
-    var coefficients_6 = 0.0;
-    if (t118 && !t114) {
-        let t124 = 1.0 + kappa;
-        let t125 = t124 * shape;
-        let t126 = 1.0 / (norm * t125);
-        let t127 = sqrt(t126);
-        let t128 = norm * t127;
-        let t129 = 1.0 / (1.0 + cut);
-        let t130 = (t_x + kappa) * t129 - 0.5;
-        let t131 = t130 * t130;
-        let t132 = fma(fma(fma(-0.026061837, t131, -0.06372378), t131, -0.11762552), t131, -0.23594604);
-        let t133 = fma(fma(fma(0.05430631, t131, 0.080950715), t131, 0.1684019), t131, 0.32709444);
-        let t134 = fma(fma(fma(t132, t131, -0.44721135), t131, -0.7754678), t130, fma(fma(t133, t131, 0.5987523), t131, 0.94559944));
-        let t135 = t124 * t134 * (t129 * t129 * t129) * (t125 * t126);
-        let t136 = fma(t135, t125 * t127, -1.0);
-        let t137 = 1.0 - t135;
-        let t138 = fma(fma(30.011856, t136, fma(-41.541264, t137, -37.009792)), t136, fma(77.96775, t137, 7.470758));
-        let t139 = fma(fma(fma(fma(15.716111, t137, 0.0), t137, 9.961183), t137, -2.61785), t137, 0.8681748);
-        let t140 = fma(fma(t138, t136, fma(fma(-49.13454, t137, -9.466533), t137, -1.5877596)), t136, t139);
-        let t141 = t136 * t140;
-        let t142 = fma(fma(7.295638, t136, -7.236236), t136, fma(fma(fma(-11.4868555, t137, 0.0), t137, 0.0), t137, 3.1255686));
-        let t143 = fma(fma(fma(13.728438, t137, -7.981878), t137, 2.025724), t137, -0.7334958);
-        let t144 = t136 * fma(t142, t136, t143);
-        let t145 = fma(fma(-23.220068, t137, 7.332055), t136, fma(fma(fma(9.986537, t137, 25.22195), t137, 0.0), t137, -2.9581387));
-        let t146 = fma(fma(fma(-19.722994, t137, 4.6594768), t137, -0.89538246), t137, 0.5143498);
-        let t147 = t136 * fma(t145, t136, t146);
-        let t148 = fma(fma(fma(1.946617, t136, -3.077631), t136, 1.4945927), t136, -0.24140751);
-        let t149 = t136 * t148;
-        let t150 = t136 * fma(fma(0.38173297, t136, -0.30305624), t136, 0.05897375);
-        coefficients_0 = t128;
-        coefficients_1 = t135 - t128 + t141;
-        coefficients_2 = t144 - t141;
-        coefficients_3 = t147 - t144;
-        coefficients_4 = t149 - t147;
-        coefficients_5 = t150 - t149;
-        coefficients_6 = -t150;
+    let t103 = 0.0 < inv_above;
+    let t104 = select(0.0, inv_above, t98);
+    let t105 = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t103);
+    let t106 = t102 && t98 && 0.0 < t104;
+    let t107 = t_y * t_y * t_y * shape * t104;
+    let t108 = t_y / radius_sin;
+    let beyond = select(0.0, t108 * t108 * t108 * fma(cut - t_x, shape_difference, shape), t106);
+    var b_0 = 0.0;
+    var b_1 = 0.0;
+    var b_2 = 0.0;
+    var b_3 = 0.0;
+    var b_4 = 0.0;
+    var b_5 = 0.0;
+    var b_6 = 0.0;
+    if (t102 && !t98) {
+        let t109 = 1.0 + kappa;
+        let t110 = t109 * shape;
+        let t111 = 1.0 / (norm * t110);
+        let t112 = sqrt(t111);
+        b_0 = norm * t112;
+        let t113 = 1.0 / (1.0 + cut);
+        let t114 = (t_x + kappa) * t113 - 0.5;
+        let t115 = t114 * t114;
+        let t116 = fma(fma(fma(-0.026061837, t115, -0.06372378), t115, -0.11762552), t115, -0.23594604);
+        let t117 = fma(fma(fma(0.05430631, t115, 0.080950715), t115, 0.1684019), t115, 0.32709444);
+        let t118 = fma(fma(fma(t116, t115, -0.44721135), t115, -0.7754678), t114, fma(fma(t117, t115, 0.5987523), t115, 0.94559944));
+        let t119 = t109 * t118 * (t113 * t113 * t113) * (t110 * t111);
+        let t120 = fma(t119, t110 * t112, -1.0);
+        let t121 = 1.0 - t119;
+        let t122 = fma(fma(30.011856, t120, fma(-41.541264, t121, -37.009792)), t120, fma(77.96775, t121, 7.470758));
+        let t123 = fma(fma(fma(15.716111 * t121, t121, 9.961183), t121, -2.61785), t121, 0.8681748);
+        let t124 = fma(fma(t122, t120, fma(fma(-49.13454, t121, -9.466533), t121, -1.5877596)), t120, t123);
+        let t125 = t120 * t124;
+        let t126 = fma(fma(7.295638, t120, -7.236236), t120, fma(-11.4868555 * t121 * t121, t121, 3.1255686));
+        let t127 = fma(fma(fma(13.728438, t121, -7.981878), t121, 2.025724), t121, -0.7334958);
+        let t128 = t120 * fma(t126, t120, t127);
+        let t129 = fma(fma(-23.220068, t121, 7.332055), t120, fma(fma(9.986537, t121, 25.22195) * t121, t121, -2.9581387));
+        let t130 = fma(fma(fma(-19.722994, t121, 4.6594768), t121, -0.89538246), t121, 0.5143498);
+        let t131 = t120 * fma(t129, t120, t130);
+        let t132 = fma(fma(fma(1.946617, t120, -3.077631), t120, 1.4945927), t120, -0.24140751);
+        let t133 = t120 * t132;
+        let t134 = t120 * fma(fma(0.38173297, t120, -0.30305624), t120, 0.05897375);
+        b_1 = t119 - b_0 + t125;
+        b_2 = t128 - t125;
+        b_3 = t131 - t128;
+        b_4 = t133 - t131;
+        b_5 = t134 - t133;
+        b_6 = -t134;
     }
-    let t151 = 0.0 < defensive_share;
-    let t152 = select(0.0, t113 / (1.0 + radius_cos), t116 && 0.0 < radius_cos);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t152, 0.0 < t152), t151);
-    let t153 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t119 || (t151 && 0.0 < inv_solid_angle));
-    var light: spherecap_front_light;
-    light.is_sampled = t153;
-    light.solid_angle = select(0.0, t152 * 6.2831855, t153);
-    light.projected_solid_angle = select(0.0, projected_above, t153);
-    light.towards_centre = vec3f(t12 * t111, t13 * t111, t14 * t111);
-    light.sideways = vec3f(sideways_x, sideways_y, sideways_z);
-    light.normal = vec3f(normal_x, normal_y, normal_z);
-    light.up = vec3f(up_x, up_y, up_z);
-    light.on_surface = on_surface;
-    light.distance = distance;
-    light.radius_sin = radius_sin;
-    light.radius_cos = radius_cos;
-    light.elevation_sin = elevation_sin;
-    light.elevation_cos = elevation_cos;
-    light.tau = tau;
-    light.kappa = kappa;
-    light.width = width;
-    light.cut = cut;
-    light.rise = rise;
-    light.defensive_share = defensive_share;
-    light.requested = defensive;
-    light.inv_above = inv_above;
-    light.third_axis = vec3f(fma(sideways_y, up_z, -(sideways_z * up_y)), fma(sideways_z, up_x, -(sideways_x * up_z)), fma(sideways_x, up_y, -(sideways_y * up_x)));
-    light.height = select(0.0, t152, t151);
-    light.inv_solid_angle = inv_solid_angle;
-    light.crescent_share = select(0.0, t122, t121);
-    light.inv_rest = select(1.0, 1.0 / (1.0 - t122), t121);
-    light.beyond = beyond;
-    light.middle = elevation_cos * radius_cos;
-    light.half_axis = radius_sin * t112;
-    light.climb = climb;
-    light.coefficients_0 = coefficients_0;
-    light.coefficients_1 = coefficients_1;
-    light.coefficients_2 = coefficients_2;
-    light.coefficients_3 = coefficients_3;
-    light.coefficients_4 = coefficients_4;
-    light.coefficients_5 = coefficients_5;
-    light.coefficients_6 = coefficients_6;
-    return light;
+    let t135 = 0.0 < t105;
+    let t136 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t100);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t136, 0.0 < t136), t135);
+    let t137 = 0.0 < inv_solid_angle && t135;
+    let t138 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t103 || t137);
+    return spherecap_front_light(
+        t138, select(0.0, t136 * 6.2831855, t138), select(0.0, projected_above, t138), towards_centre,
+        sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t105, defensive,
+        inv_above,
+        vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
+        select(0.0, t136, t135), inv_solid_angle, select(0.0, t107, t106),
+        select(1.0, 1.0 / (1.0 - t107), t106), beyond, elevation_cos * radius_cos, radius_sin * t96, climb,
+        b_0, b_1, b_2, b_3, b_4, b_5, b_6
+    );
 }
 
 fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> spherecap_sample {
@@ -890,149 +764,123 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         return spherecap_no_sample();
     }
     let t1 = abs(light.elevation_sin);
-    let t2 = 0.0 < light.defensive_share;
-    let t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
-    let t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
-    let t5 = t2 && t3 < light.defensive_share;
-    let t6 = 1.0 - light.defensive_share;
-    let t7 = select(t3 - light.defensive_share, t3, t5) / select(t6, light.defensive_share, t5);
-    let t8 = select(t3, spherecap_min(spherecap_max(t7, 5.9604645e-8), 0.99999994), 0.0 < light.requested);
-    let t9 = t5 || !(0.0 < light.tau);
-    let t10 = !t9 && !(0.0 < light.elevation_sin);
-    let t11 = t9 || (!t10 && light.crescent_share <= t8);
-    let t12 = 1.0 - t4;
-    let t13 = t4 - t12;
-    let t14 = 4.0 * t4 * t12;
-    let t15 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-    let t16 = select(spherecap_min(t15, 0.99999994), t8, t9);
-    let t17 = select(light.beyond, 0.0, t9);
-    let t18 = 3.1415927 - t17;
-    let t19 = fma(t16, t18, t17);
-    let t20 = (1.0 - t16) * t18;
-    var t21 = 0.0;
-    var t22 = 0.0;
-    var t23 = 0.0;
-    var t24 = 0.0;
-    if (t11) {
-        t22 = spherecap_min(t19, t20) * 0.53033006;
-        t23 = 1.0;
-        t24 = 1.0;
+    let t2 = 0.0 < light.defensive;
+    let t3 = min(0.99999994, max(5.9604645e-8, u0));
+    let t4 = min(0.99999994, max(5.9604645e-8, u1));
+    let t5 = t3 < light.defensive && t2;
+    let t6 = 1.0 - light.defensive;
+    let t7 = max(5.9604645e-8, select(t3 - light.defensive, t3, t5) / select(t6, light.defensive, t5));
+    let t8 = select(t3, min(0.99999994, t7), 0.0 < light.requested);
+    let t9 = !(0.0 < light.tau) || t5;
+    let t10 = !(0.0 < light.elevation_sin) && !t9;
+    let t11 = light.crescent_share <= t8 && !t10;
+    let t12 = t9 || t11;
+    let t13 = 1.0 - t4;
+    let t14 = t4 - t13;
+    let t15 = 4.0 * t4 * t13;
+    var t16: f32;
+    var t17: f32;
+    var t18: f32;
+    var t19: f32;
+    if (t12) {
+        let t20 = min(0.99999994, max(5.9604645e-8, (t8 - light.crescent_share) * light.inv_rest));
+        let t21 = select(t20, t8, t9);
+        let t22 = select(light.beyond, 0.0, t9);
+        let t23 = 3.1415927 - t22;
+        let t24 = fma(t21, t23, t22);
+        let t25 = (1.0 - t21) * t23;
+        t16 = min(t25, t24) * 0.53033006;
+        t17 = 1.0;
+        t18 = 1.0;
+        t19 = t24 - t25;
     } else {
-        let t25 = sqrt(t14);
-        let t26 = fma(fma(light.coefficients_6, t14, light.coefficients_4), t14, light.coefficients_2);
-        let t27 = fma(fma(light.coefficients_5, t14, light.coefficients_3), t14, light.coefficients_1);
-        let t28 = t25 * fma(t27, t25, fma(t26, t14, light.coefficients_0));
-        let t29 = sqrt(fma(t13, t13, t28 * t28));
+        let t26 = sqrt(t15);
+        let t27 = fma(fma(fma(light.b_5, t15, light.b_3), t15, light.b_1), t26, fma(fma(fma(light.b_6, t15, light.b_4), t15, light.b_2), t15, light.b_0));
+        let t28 = t26 * t27;
+        let t29 = sqrt(fma(t14, t14, t28 * t28));
         let t30 = light.tau * t28;
-        let t31 = select(1.0, fma(t13, t13, t30 * t30), t10);
-        let t32 = select(light.crescent_share, fma(light.kappa, t28, t29) * fma(light.cut, t28, t29), t10);
-        let t33 = select(t8, light.width, t10) / t32;
-        let t34 = select(spherecap_min(spherecap_max(t33, 5.9604645e-8), 0.99999994), t8, t10);
-        let t35 = select(light.width, t33, t10);
-        let t36 = t31 * t35;
-        let t37 = t36 * t36;
-        let t38 = fma(fma(fma(-0.00060778117, t37, -0.0027203285), t37, -0.10000902), t36, fma(fma(1.0676054e-5, t37, -0.011332183), t37, 1.0000001));
-        t21 = select(t25, t30, t10);
-        t22 = t34;
-        t23 = t35 * t38;
-        t24 = t31;
+        t18 = select(1.0, fma(t14, t14, t30 * t30), t10);
+        let t31 = select(light.crescent_share, fma(light.kappa, t28, t29) * fma(light.cut, t28, t29), t10);
+        let t32 = select(t8, light.width, t10) / t31;
+        let t33 = select(light.width, t32, t10);
+        let t34 = t18 * t33;
+        let t35 = t34 * t34;
+        let t36 = fma(fma(fma(-0.00060778117, t35, -0.0027203285), t35, -0.10000902), t34, fma(fma(1.0676054e-5, t35, -0.011332183), t35, 1.0000001));
+        t16 = select(min(0.99999994, max(5.9604645e-8, t32)), t8, t10);
+        t17 = t33 * t36;
+        t19 = select(t26, t30, t10);
     }
-    let t39 = spherecap_float_of_bits(fma(spherecap_bits(t22), -0.33333334, 1419900500.0));
-    let t40 = fma(-(t22 * t39), t39 * t39, 1.0);
-    let t41 = t40 * t40;
-    let t42 = fma(fma(fma(0.110958695, t41, 0.14403293), t41, 0.22222222), t40, fma(fma(0.12482853, t41, 0.17283951), t41, 0.33333334));
-    let t43 = t23 * (t22 * fma(t39, t40 * t42, t39));
-    let t44 = t43 * t24;
-    let t45 = t44 * t44;
-    let t46 = fma(fma(fma(-0.063446075, t45, -0.056249518), t45, 0.0074712755), t45, 0.09996679);
-    let t47 = fma(fma(fma(0.022114987, t45, 0.085662976), t45, 0.030445365), t45, 0.03209764);
-    let t48 = t43 * fma(t46, t44, fma(t47, t45, 1.0000004));
-    let t49 = select(t48, spherecap_min(t48, 1.0), t11);
-    let t50 = t24 * t49;
-    let t51 = 2.0 - t50;
-    let t52 = t49 * t51;
-    let t53 = sqrt(t52);
-    var t54 = 0.0;
-    var t55 = 0.0;
-    var zenith = 0.0;
-    var side = 0.0;
-    var cosine = 0.0;
-    if (t11) {
-        let t56 = select(t51, t50, t19 - t20 < 0.0);
-        let t57 = t52 * t14;
-        var t58 = 0.0;
-        var t59 = 0.0;
-        var t60 = 0.0;
-        var t61 = 0.0;
-        var t62 = 0.0;
+    let t37 = spherecap_float_of_bits(fma(spherecap_bits(t16), -0.33333334, 1419900500.0));
+    let t38 = fma(-(t16 * t37), t37 * t37, 1.0);
+    let t39 = t38 * t38;
+    let t40 = fma(fma(fma(0.110958695, t39, 0.14403293), t39, 0.22222222), t38, fma(fma(0.12482853, t39, 0.17283951), t39, 0.33333334));
+    let t41 = t17 * (t16 * fma(t37, t38 * t40, t37));
+    let t42 = t41 * t18;
+    let t43 = t42 * t42;
+    let t44 = fma(fma(fma(-0.063446075, t43, -0.056249518), t43, 0.0074712755), t43, 0.09996679);
+    let t45 = fma(fma(fma(0.022114987, t43, 0.085662976), t43, 0.030445365), t43, 0.03209764);
+    let t46 = t41 * fma(t44, t42, fma(t45, t43, 1.0000004));
+    let t47 = select(t46, min(1.0, t46), t12);
+    let t48 = t18 * t47;
+    let t49 = 2.0 - t48;
+    let t50 = t47 * t49;
+    let t51 = sqrt(t50);
+    var zenith: f32;
+    var side: f32;
+    var cosine: f32;
+    var t52: f32;
+    var t53: f32;
+    if (t12) {
+        let t54 = select(t49, t48, t19 < 0.0);
+        let t55 = t50 * t15;
         if (t5) {
-            let t63 = light.height * (1.0 - t57);
-            let t64 = sqrt(light.height * (2.0 - t63));
-            let t65 = (t56 - 1.0) * t64;
-            let t66 = 1.0 - t63;
-            let t67 = fma(light.elevation_sin, t66, light.elevation_cos * t65);
-            t58 = fma(light.elevation_cos, t66, -(light.elevation_sin * t65));
-            t59 = t67;
-            t60 = t65;
-            t61 = t53 * t13 * t64;
-            t62 = t67 * light.on_surface;
+            let t56 = light.height * (1.0 - t55);
+            let t57 = sqrt(light.height * (2.0 - t56));
+            zenith = (t54 - 1.0) * t57;
+            let t58 = 1.0 - t56;
+            t53 = fma(light.elevation_sin, t58, light.elevation_cos * zenith);
+            t52 = fma(light.elevation_cos, t58, -(light.elevation_sin * zenith));
+            side = t51 * t14 * t57;
+            cosine = t53 * light.on_surface;
         } else {
-            let t68 = 1.0 - t56;
-            let t69 = spherecap_max(fma(light.climb, t56, -light.rise), 0.0);
-            let t70 = sqrt(fma(t69, t69, light.radius_sin * light.radius_sin * t57));
-            let t71 = t1 * light.radius_cos;
-            let t72 = fma(light.elevation_cos * t68, fma(light.climb, t68, -2.0 * t71), light.radius_sin * t57);
-            let t73 = light.radius_sin * fma(light.elevation_cos, t72 / (t70 + t71), -(t1 * t1 * t68));
-            t58 = fma(light.half_axis, t68, light.middle);
-            t59 = t70;
-            t60 = t73;
-            t61 = light.radius_sin * t53 * t13;
-            t62 = t70;
+            let t59 = 1.0 - t54;
+            let t60 = max(0.0, fma(light.climb, t54, -light.rise));
+            t53 = sqrt(fma(t60, t60, light.radius_sin * light.radius_sin * t55));
+            let t61 = t1 * light.radius_cos;
+            let t62 = fma(light.elevation_cos * t59, fma(light.climb, t59, -2.0 * t61), light.radius_sin * t55);
+            zenith = light.radius_sin * fma(light.elevation_cos, t62 / (t53 + t61), -(t1 * t1 * t59));
+            t52 = fma(light.half_axis, t59, light.middle);
+            side = light.radius_sin * t51 * t14;
+            cosine = t53;
         }
-        t54 = t58;
-        t55 = t59;
-        zenith = t60;
-        side = t61;
-        cosine = t62;
     } else {
-        let t74 = t53 * t21;
-        let t75 = 1.0 - t50;
-        t54 = t75;
-        t55 = t74;
-        zenith = fma(light.elevation_cos, t74, -(select(t1, -t1, t10) * t75));
-        side = t53 * t13;
-        cosine = t74;
+        cosine = t51 * t19;
+        t52 = 1.0 - t48;
+        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t10) * t52));
+        side = t51 * t14;
+        t53 = cosine;
     }
-    let t76 = spherecap_min(abs(cosine), 3.4028235e38);
-    let t77 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t78 = light.defensive_share * light.inv_solid_angle;
-    let t79 = fma(t77, t6, spherecap_min(t78 / spherecap_max(t76, 1.1754944e-38), 3.4028235e38));
-    let t80 = fma(zenith, zenith, side * side);
-    let t81 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t80), 0.0);
-    let t82 = sqrt(t81);
-    let t83 = sqrt(fma(light.radius_cos, light.radius_cos, t81));
-    let t84 = light.radius_cos * light.radius_cos / (t83 + t82);
-    let t85 = 1.0 / light.radius_sin;
-    let t86 = t84 * t85;
-    let t87 = -fma(t83, t82, t80) * t85;
-    let t88 = t86 * zenith;
-    let t89 = t86 * side;
-    let t90 = fma(light.third_axis.x, t54, fma(light.sideways.x, side, light.up.x * t55));
-    let t91 = fma(light.third_axis.y, t54, fma(light.sideways.y, side, light.up.y * t55));
-    let t92 = fma(light.third_axis.z, t54, fma(light.sideways.z, side, light.up.z * t55));
-    let t93 = fma(light.elevation_cos, t87, -(light.elevation_sin * t88));
-    let t94 = fma(light.elevation_sin, t87, light.elevation_cos * t88);
-    let t95 = fma(light.third_axis.x, t93, fma(light.sideways.x, t89, light.up.x * t94));
-    let t96 = fma(light.third_axis.y, t93, fma(light.sideways.y, t89, light.up.y * t94));
-    let t97 = fma(light.third_axis.z, t93, fma(light.sideways.z, t89, light.up.z * t94));
-    var sampled: spherecap_sample;
-    sampled.direction = vec3f(t90, t91, t92);
-    sampled.distance = t84 * light.distance;
-    sampled.normal = vec3f(t95, t96, t97);
-    sampled.cosine = cosine;
-    sampled.pdf = select(t77 * t76, fma(t77, t6 * t76, t78), t2);
-    sampled.projected_pdf = select(t77, spherecap_min(t79, 3.4028235e38), t2);
-    return sampled;
+    let t63 = min(3.4028235e38, abs(cosine));
+    let t64 = select(0.0, light.inv_above, 0.0 < cosine);
+    let t65 = light.defensive * light.inv_solid_angle;
+    let t66 = min(3.4028235e38, fma(t64, t6, min(3.4028235e38, t65 / max(1.1754944e-38, t63))));
+    let t67 = fma(zenith, zenith, side * side);
+    let t68 = max(0.0, fma(light.radius_sin, light.radius_sin, -t67));
+    let t69 = sqrt(t68);
+    let t70 = sqrt(fma(light.radius_cos, light.radius_cos, t68));
+    let t71 = light.radius_cos * light.radius_cos / (t70 + t69);
+    let t72 = 1.0 / light.radius_sin;
+    let t73 = t71 * t72;
+    let t74 = -fma(t70, t69, t67) * t72;
+    let t75 = t73 * zenith;
+    let t76 = t73 * side;
+    let t77 = fma(light.elevation_cos, t74, -(light.elevation_sin * t75));
+    let t78 = fma(light.elevation_sin, t74, light.elevation_cos * t75);
+    return spherecap_sample(
+        light.third_axis * t52 + light.sideways * side + light.up * t53, t71 * light.distance,
+        light.third_axis * t77 + light.sideways * t76 + light.up * t78, cosine,
+        select(t64 * t63, fma(t64, t6 * t63, t65), t2), select(t64, t66, t2)
+    );
 }
 
 fn spherecap_front_sample_once(normal: vec3f, centre: vec3f, radius: f32, defensive: f32, u0: f32, u1: f32) -> spherecap_sample {
@@ -1043,78 +891,72 @@ fn spherecap_front_pdf_direction(light: spherecap_front_light, direction: vec3f)
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.towards_centre.y, direction.y, light.towards_centre.z * direction.z);
-    let t2 = fma(light.towards_centre.y, light.sideways.z, -(light.towards_centre.z * light.sideways.y));
-    let t3 = fma(light.towards_centre.z, light.sideways.x, -(light.towards_centre.x * light.sideways.z));
-    let t4 = fma(light.towards_centre.x, light.sideways.y, -(light.towards_centre.y * light.sideways.x));
-    let t5 = fma(light.sideways.x, direction.x, fma(light.sideways.y, direction.y, light.sideways.z * direction.z));
-    let t6 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t7 = fma(light.towards_centre.x, direction.x, t1) < 0.0;
-    let t8 = select(fma(t2, direction.x, fma(t3, direction.y, t4 * direction.z)), 1.0, t7);
-    let t9 = select(t5, 1.0, t7);
-    let t10 = spherecap_min(abs(t6), 3.4028235e38);
-    let t11 = select(0.0, light.inv_above, 0.0 < t6);
-    let t12 = fma(t11, (1.0 - light.defensive_share) * t10, light.defensive_share * light.inv_solid_angle);
-    let t13 = select(0.0, select(t11 * t10, t12, 0.0 < light.defensive_share), fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t14 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    return select(0.0, t13, 0.998001 <= t14 && t14 <= 1.002001);
+    let t1 = dot(light.normal, direction);
+    let t2 = dot(light.towards_centre, direction) < 0.0;
+    let t3 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t2);
+    let t4 = select(dot(light.sideways, direction), 1.0, t2);
+    let t5 = min(3.4028235e38, abs(t1));
+    let t6 = select(0.0, light.inv_above, 0.0 < t1);
+    let t7 = fma(t6, (1.0 - light.defensive) * t5, light.defensive * light.inv_solid_angle);
+    let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t9 = dot(direction, direction);
+    return select(0.0, t8, 0.998001 <= t9 && t9 <= 1.002001);
 }
 
 fn spherecap_front_pdf_on_sphere(light: spherecap_front_light, direction: vec3f) -> f32 {
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t2 = spherecap_min(abs(t1), 3.4028235e38);
+    let t1 = dot(light.normal, direction);
+    let t2 = min(3.4028235e38, abs(t1));
     let t3 = select(0.0, light.inv_above, 0.0 < t1);
-    let t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
-    let t5 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
+    let t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    let t5 = dot(direction, direction);
+    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive), 0.998001 <= t5 && t5 <= 1.002001);
     return t6;
 }
 
 fn spherecap_front_importance(normal: vec3f, centre: vec3f, radius: f32, defensive: f32, strength: f32) -> f32 {
-    let t1 = fma(normal.x, normal.x, fma(normal.y, normal.y, normal.z * normal.z)) - 1.0;
-    var t2 = 0.0;
-    var t3 = 0.0;
-    var t4 = 0.0;
-    if (abs(t1) <= 4.7683716e-7) {
-        t2 = normal.x;
-        t3 = normal.y;
-        t4 = normal.z;
+    var t1: f32;
+    var t2: f32;
+    var t3: f32;
+    if (abs(dot(normal, normal) - 1.0) <= 4.7683716e-7) {
+        t1 = normal.x;
+        t2 = normal.y;
+        t3 = normal.z;
     } else {
-        let t5 = spherecap_max(abs(normal.x) + abs(normal.y) + abs(normal.z), 1.1754944e-38);
-        let t6 = spherecap_power_of_two(spherecap_min(t5, 8.5070587e37));
-        let t7 = normal.x / t6;
-        let t8 = normal.y / t6;
-        let t9 = normal.z / t6;
-        let t10 = spherecap_max(sqrt(fma(t7, t7, fma(t8, t8, t9 * t9))), 1.1754944e-38);
-        t2 = t7 / t10;
-        t3 = t8 / t10;
-        t4 = t9 / t10;
+        let t4 = min(8.5070587e37, max(1.1754944e-38, abs(normal.x) + abs(normal.y) + abs(normal.z)));
+        let t5 = spherecap_power_of_two(t4);
+        let t6 = normal.x / t5;
+        let t7 = normal.y / t5;
+        let t8 = normal.z / t5;
+        let t9 = max(1.1754944e-38, sqrt(fma(t6, t6, fma(t7, t7, t8 * t8))));
+        t1 = t6 / t9;
+        t2 = t7 / t9;
+        t3 = t8 / t9;
     }
-    let t11 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t11, 8.5070587e37));
+    let t10 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t10));
     let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t12 = centre.x * scale;
-    let t13 = centre.y * scale;
-    let t14 = centre.z * scale;
-    let t15 = radius * scale;
-    let t16 = sqrt(fma(t12, t12, fma(t13, t13, t14 * t14)));
-    let t17 = 1.0 / t16;
-    let t18 = t15 * t17;
-    let t19 = t18 * t18;
-    let t20 = fma(t2, t2, fma(t3, t3, t4 * t4));
-    let t21 = 0.0 <= defensive && defensive <= 1.0 && t20 <= 2.0 && 0.0 < radius && t16 * unscale <= 3.4028235e38;
-    let t22 = fma(t2, t12, fma(t3, t13, t4 * t14));
-    let t23 = fma(t22, t17, 2.3841858e-7);
-    let t24 = fma(t22 + t15, t17, 2.3841858e-7);
-    let t25 = t24 * t24 / (fma(t18 - t23, spherecap_max(fma(-t19, t19, 0.9999981), 0.0), t24) * 2.0);
-    let t26 = select(select(0.0, t25, 0.0 < t24), t23, t18 <= t23);
-    let t27 = select(fma(defensive, 0.5 - t26, t26), 1.0, t20 <= 0.0);
-    let t28 = t19 <= 1.0000019 && 4.9303807e-32 < t19 && t21 && 0.0 < strength && strength <= 3.4028235e38;
-    let t29 = spherecap_min(spherecap_max(t19 * t27 * strength, 1.1754944e-38), 3.4028235e38);
-    return select(0.0, t29, t28 && (0.0 < t27 || 0.0 < defensive));
+    let t11 = centre.x * scale;
+    let t12 = centre.y * scale;
+    let t13 = centre.z * scale;
+    let t14 = radius * scale;
+    let t15 = sqrt(fma(t11, t11, fma(t12, t12, t13 * t13)));
+    let t16 = 1.0 / t15;
+    let t17 = t14 * t16;
+    let t18 = t17 * t17;
+    let t19 = fma(t1, t1, fma(t2, t2, t3 * t3));
+    let t20 = 0.0 <= defensive && defensive <= 1.0 && t19 <= 2.0 && 0.0 < radius && t15 * unscale <= 3.4028235e38;
+    let t21 = fma(t1, t11, fma(t2, t12, t3 * t13));
+    let t22 = fma(t21, t16, 2.3841858e-7);
+    let t23 = fma(t21 + t14, t16, 2.3841858e-7);
+    let t24 = t23 * t23 / (fma(t17 - t22, max(0.0, fma(-t18, t18, 0.9999981)), t23) * 2.0);
+    let t25 = select(select(0.0, t24, 0.0 < t23), t22, t17 <= t22);
+    let t26 = select(fma(defensive, 0.5 - t25, t25), 1.0, t19 <= 0.0);
+    let t27 = t18 <= 1.0000019 && 4.9303807e-32 < t18 && 0.0 < strength && t20 && strength <= 3.4028235e38;
+    let t28 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t18 * t26 * strength)), (0.0 < t26 || 0.0 < defensive) && t27);
+    return t28;
 }
 
 
@@ -1138,11 +980,11 @@ struct spherecap_both_light {
     width: f32,
     cut: f32,
     rise: f32,
-    defensive_share: f32,
+    defensive: f32,
     requested: f32,
     inv_above: f32,
     inv_below: f32,
-    sides_share: f32,
+    share_above: f32,
     third_axis: vec3f,
     height: f32,
     inv_solid_angle: f32,
@@ -1152,140 +994,133 @@ struct spherecap_both_light {
     middle: f32,
     half_axis: f32,
     climb: f32,
-    coefficients_0: f32,
-    coefficients_1: f32,
-    coefficients_2: f32,
-    coefficients_3: f32,
-    coefficients_4: f32,
-    coefficients_5: f32,
-    coefficients_6: f32,
+    b_0: f32,
+    b_1: f32,
+    b_2: f32,
+    b_3: f32,
+    b_4: f32,
+    b_5: f32,
+    b_6: f32,
 }
 
 fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: f32) -> spherecap_both_light {
     let unknown_zero = bitcast<u32>(radius) & 0x80000000u;
-    let t1 = fma(normal.x, normal.x, fma(normal.y, normal.y, normal.z * normal.z)) - 1.0;
-    var normal_x = 0.0;
-    var normal_y = 0.0;
-    var normal_z = 0.0;
-    if (abs(t1) <= 4.7683716e-7) {
+    var normal_x: f32;
+    var normal_y: f32;
+    var normal_z: f32;
+    if (abs(dot(normal, normal) - 1.0) <= 4.7683716e-7) {
         normal_x = normal.x;
         normal_y = normal.y;
         normal_z = normal.z;
     } else {
-        let t2 = spherecap_max(abs(normal.x) + abs(normal.y) + abs(normal.z), 1.1754944e-38);
-        let t3 = spherecap_power_of_two(spherecap_min(t2, 8.5070587e37));
-        let t4 = normal.x / t3;
-        let t5 = normal.y / t3;
-        let t6 = normal.z / t3;
-        let t7 = spherecap_max(sqrt(fma(t4, t4, fma(t5, t5, t6 * t6))), 1.1754944e-38);
-        normal_x = t4 / t7;
-        normal_y = t5 / t7;
-        normal_z = t6 / t7;
+        let t1 = min(8.5070587e37, max(1.1754944e-38, abs(normal.x) + abs(normal.y) + abs(normal.z)));
+        let t2 = spherecap_power_of_two(t1);
+        let t3 = normal.x / t2;
+        let t4 = normal.y / t2;
+        let t5 = normal.z / t2;
+        let t6 = max(1.1754944e-38, sqrt(fma(t3, t3, fma(t4, t4, t5 * t5))));
+        normal_x = t3 / t6;
+        normal_y = t4 / t6;
+        normal_z = t5 / t6;
     }
-    let t8 = fma(normal_x, normal_x, fma(normal_y, normal_y, normal_z * normal_z));
-    let t9 = fma(centre.x, centre.x, fma(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0;
-    let t10 = t9 && 9.536743e-7 < radius;
-    let t11 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t11, 8.5070587e37));
-    let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t12 = select(centre.x * scale, centre.x, t10);
-    let t13 = select(centre.y * scale, centre.y, t10);
-    let t14 = select(centre.z * scale, centre.z, t10);
-    let t15 = select(radius * scale, radius, t10);
-    let t16 = spherecap_keep(t14 * t14, unknown_zero);
-    let t17 = fma(t12, t12, fma(t13, t13, t16));
-    let t18 = fma(-t15, t15, t17);
-    var t19 = 0.0;
-    var t20 = 0.0;
-    if (t18 < t17 * 0.25) {
+    let t7 = fma(normal_x, normal_x, fma(normal_y, normal_y, normal_z * normal_z));
+    let t8 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    let t9 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t9));
+    let t10 = select(spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale)), 1.0, t8);
+    let t11 = centre.x * t10;
+    let t12 = centre.y * t10;
+    let t13 = centre.z * t10;
+    let t14 = radius * t10;
+    let t15 = spherecap_keep(t13 * t13, unknown_zero);
+    let t16 = fma(t11, t11, fma(t12, t12, t15));
+    let t17 = fma(-t14, t14, t16);
+    var t18: f32;
+    var t19: f32;
+    if (t17 < t16 * 0.25) {
+        let t20 = spherecap_keep(t11 * t11, unknown_zero);
         let t21 = spherecap_keep(t12 * t12, unknown_zero);
-        let t22 = spherecap_keep(t13 * t13, unknown_zero);
-        let t23 = spherecap_keep(t21 + t22, unknown_zero);
-        let t24 = spherecap_keep(t23 - t21, unknown_zero);
-        let t25 = spherecap_keep(t21 - spherecap_keep(t23 - t24, unknown_zero), unknown_zero);
-        let t26 = spherecap_keep(t23 + t16, unknown_zero);
-        let t27 = spherecap_keep(t26 - t23, unknown_zero);
-        let t28 = spherecap_keep(t23 - spherecap_keep(t26 - t27, unknown_zero), unknown_zero);
-        let t29 = spherecap_lost(t12, t12, t21, unknown_zero) + spherecap_lost(t13, t13, t22, unknown_zero);
-        let t30 = t25 + spherecap_keep(t22 - t24, unknown_zero) + (t28 + spherecap_keep(t16 - t27, unknown_zero));
-        let t31 = spherecap_fused(-t15, t15, t26, unknown_zero) + (t29 + spherecap_lost(t14, t14, t16, unknown_zero) + t30);
-        t19 = t26;
-        t20 = t31;
+        let t22 = spherecap_keep(t20 + t21, unknown_zero);
+        let t23 = spherecap_keep(t22 - t20, unknown_zero);
+        let t24 = spherecap_keep(t20 - spherecap_keep(t22 - t23, unknown_zero), unknown_zero);
+        t18 = spherecap_keep(t22 + t15, unknown_zero);
+        let t25 = spherecap_keep(t18 - t22, unknown_zero);
+        let t26 = spherecap_keep(t22 - spherecap_keep(t18 - t25, unknown_zero), unknown_zero);
+        let t27 = spherecap_lost(t11, t11, t20, unknown_zero) + spherecap_lost(t12, t12, t21, unknown_zero);
+        let t28 = t24 + spherecap_keep(t21 - t23, unknown_zero) + (t26 + spherecap_keep(t15 - t25, unknown_zero));
+        t19 = spherecap_fused(-t14, t14, t18, unknown_zero) + (t27 + spherecap_lost(t13, t13, t15, unknown_zero) + t28);
     } else {
+        t18 = t16;
         t19 = t17;
-        t20 = t18;
     }
-    let t32 = 0.0 < t8;
-    let t33 = spherecap_keep(normal_z * t13, unknown_zero);
-    let t34 = spherecap_fused(normal_y, t14, -t33, unknown_zero);
-    let t35 = spherecap_keep(normal_x * t14, unknown_zero);
-    let t36 = spherecap_fused(normal_z, t12, -t35, unknown_zero);
-    let t37 = spherecap_keep(normal_y * t12, unknown_zero);
-    let t38 = spherecap_fused(normal_x, t13, -t37, unknown_zero);
-    let t39 = fma(t34, t34, fma(t36, t36, t38 * t38));
-    var up_x = 0.0;
-    var up_y = 0.0;
-    var up_z = 0.0;
-    var t40 = 0.0;
-    var t41 = 0.0;
-    var t42 = 0.0;
-    var t43 = 0.0;
-    var t44 = 0.0;
-    if (t39 < t19 * 0.015625) {
-        let t45 = t34 - spherecap_lost(normal_z, t13, t33, unknown_zero);
-        let t46 = t36 - spherecap_lost(normal_x, t14, t35, unknown_zero);
-        let t47 = t38 - spherecap_lost(normal_y, t12, t37, unknown_zero);
-        let t48 = fma(t45, t45, fma(t46, t46, t47 * t47));
-        let t49 = t48 < t19 * 5.169879e-26;
-        let t50 = abs(t12) < abs(t14);
-        let t51 = select(-t13, 0.0, t50);
-        let t52 = select(t12, -t14, t50);
-        let t53 = select(0.0, t13, t50);
-        let t54 = sqrt(fma(t51, t51, fma(t52, t52, t53 * t53)));
-        let t55 = sqrt(t19);
-        let t56 = t55 * t54;
-        let t57 = sqrt(t48);
-        let t58 = select(normal_x, select(fma(t13, t53, -(t14 * t52)) / t56, normal_x, t32), t49);
-        let t59 = select(normal_y, select(fma(t14, t51, -(t12 * t53)) / t56, normal_y, t32), t49);
-        let t60 = select(normal_z, select(fma(t12, t52, -(t13 * t51)) / t56, normal_z, t32), t49);
-        up_x = t58;
-        up_y = t59;
-        up_z = t60;
-        t40 = select(t45, t51, t49);
-        t41 = select(t46, t52, t49);
-        t42 = select(t47, t53, t49);
-        t43 = select(t57, t54, t49);
-        t44 = select(t57, select(t55, 0.0, t32), t49);
+    let t29 = 0.0 < t7;
+    let t30 = spherecap_keep(normal_z * t12, unknown_zero);
+    let t31 = spherecap_fused(normal_y, t13, -t30, unknown_zero);
+    let t32 = spherecap_keep(normal_x * t13, unknown_zero);
+    let t33 = spherecap_fused(normal_z, t11, -t32, unknown_zero);
+    let t34 = spherecap_keep(normal_y * t11, unknown_zero);
+    let t35 = spherecap_fused(normal_x, t12, -t34, unknown_zero);
+    let t36 = fma(t31, t31, fma(t33, t33, t35 * t35));
+    var up_x: f32;
+    var up_y: f32;
+    var up_z: f32;
+    var t37: f32;
+    var t38: f32;
+    var t39: f32;
+    var t40: f32;
+    var t41: f32;
+    if (t36 < t18 * 0.015625) {
+        let t42 = t31 - spherecap_lost(normal_z, t12, t30, unknown_zero);
+        let t43 = t33 - spherecap_lost(normal_x, t13, t32, unknown_zero);
+        let t44 = t35 - spherecap_lost(normal_y, t11, t34, unknown_zero);
+        let t45 = fma(t42, t42, fma(t43, t43, t44 * t44));
+        let t46 = t45 < t18 * 5.169879e-26;
+        let t47 = abs(t11) < abs(t13);
+        let t48 = select(-t12, 0.0, t47);
+        let t49 = select(t11, -t13, t47);
+        let t50 = select(0.0, t12, t47);
+        let t51 = sqrt(fma(t48, t48, fma(t49, t49, t50 * t50)));
+        let t52 = sqrt(t18);
+        let t53 = t52 * t51;
+        let t54 = sqrt(t45);
+        up_x = select(normal_x, select(fma(t12, t50, -(t13 * t49)) / t53, normal_x, t29), t46);
+        up_y = select(normal_y, select(fma(t13, t48, -(t11 * t50)) / t53, normal_y, t29), t46);
+        up_z = select(normal_z, select(fma(t11, t49, -(t12 * t48)) / t53, normal_z, t29), t46);
+        t37 = select(t42, t48, t46);
+        t38 = select(t43, t49, t46);
+        t39 = select(t44, t50, t46);
+        t40 = select(t54, t51, t46);
+        t41 = select(t54, select(t52, 0.0, t29), t46);
     } else {
-        let t61 = sqrt(t39);
+        t40 = sqrt(t36);
         up_x = normal_x;
         up_y = normal_y;
         up_z = normal_z;
-        t40 = t34;
-        t41 = t36;
-        t42 = t38;
-        t43 = t61;
-        t44 = t61;
+        t37 = t31;
+        t38 = t33;
+        t39 = t35;
+        t41 = t40;
     }
-    let t62 = spherecap_keep(normal_x * t12, unknown_zero);
-    let t63 = spherecap_keep(normal_y * t13, unknown_zero);
-    let t64 = spherecap_keep(normal_z * t14, unknown_zero);
-    let t65 = spherecap_keep(t62 + t63, unknown_zero);
-    let t66 = spherecap_keep(t65 - t62, unknown_zero);
-    let t67 = spherecap_keep(t62 - spherecap_keep(t65 - t66, unknown_zero), unknown_zero);
-    let t68 = spherecap_keep(t65 + t64, unknown_zero);
-    let t69 = spherecap_keep(t68 - t65, unknown_zero);
-    let t70 = spherecap_keep(t65 - spherecap_keep(t68 - t69, unknown_zero), unknown_zero);
-    let t71 = spherecap_lost(normal_x, t12, t62, unknown_zero) + spherecap_lost(normal_y, t13, t63, unknown_zero);
-    let t72 = t67 + spherecap_keep(t63 - t66, unknown_zero) + (t70 + spherecap_keep(t64 - t69, unknown_zero));
-    let t73 = t71 + spherecap_lost(normal_z, t14, t64, unknown_zero) + t72;
-    let t74 = spherecap_keep(t68 + t73, unknown_zero);
-    let t75 = spherecap_keep(t73 - spherecap_keep(t74 - t68, unknown_zero), unknown_zero);
-    let t76 = t15 - t74 - t75;
-    let t77 = t15 + t74 + t75;
-    let t78 = t76 * t77;
-    let t79 = sqrt(t20);
-    let t80 = 0.0 < t20;
+    let t55 = spherecap_keep(normal_x * t11, unknown_zero);
+    let t56 = spherecap_keep(normal_y * t12, unknown_zero);
+    let t57 = spherecap_keep(normal_z * t13, unknown_zero);
+    let t58 = spherecap_keep(t55 + t56, unknown_zero);
+    let t59 = spherecap_keep(t58 - t55, unknown_zero);
+    let t60 = spherecap_keep(t55 - spherecap_keep(t58 - t59, unknown_zero), unknown_zero);
+    let t61 = spherecap_keep(t58 + t57, unknown_zero);
+    let t62 = spherecap_keep(t61 - t58, unknown_zero);
+    let t63 = spherecap_keep(t58 - spherecap_keep(t61 - t62, unknown_zero), unknown_zero);
+    let t64 = spherecap_lost(normal_x, t11, t55, unknown_zero) + spherecap_lost(normal_y, t12, t56, unknown_zero);
+    let t65 = t60 + spherecap_keep(t56 - t59, unknown_zero) + (t63 + spherecap_keep(t57 - t62, unknown_zero));
+    let t66 = t64 + spherecap_lost(normal_z, t13, t57, unknown_zero) + t65;
+    let t67 = spherecap_keep(t61 + t66, unknown_zero);
+    let t68 = spherecap_keep(t66 - spherecap_keep(t67 - t61, unknown_zero), unknown_zero);
+    let t69 = t14 - t67 - t68;
+    let t70 = t14 + t67 + t68;
+    let t71 = t69 * t70;
+    let t72 = sqrt(t19);
+    let t73 = 0.0 < t19;
+    var t74: f32;
     var t_x = 0.0;
     var t_y = 0.0;
     var width = 0.0;
@@ -1296,193 +1131,150 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     var norm = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    var t81 = 0.0;
-    if (0.0 < t78 && t32 && t80) {
-        let t82 = sqrt(t20 + t78);
-        let t83 = sqrt(t78);
-        let t84 = 1.0 / (t82 * t15);
-        let t85 = t84 * t15;
-        let t86 = t84 * t82;
-        let t87 = t79 * t85;
-        let t88 = t83 * t85;
-        let t89 = t88 * t88;
-        let t90 = abs(t74) * t86;
-        let t91 = t90 * t87;
-        let t92 = t87 - 0.5;
-        let t93 = t91 - 0.5;
-        let t94 = t92 * t92;
-        let t95 = t93 * t93;
-        let t96 = fma(0.05430631, t94, 0.080950715);
-        let t97 = fma(t96, t94, 0.1684019);
-        let t98 = fma(t97, t94, 0.32709444);
-        let t99 = fma(t98, t94, 0.5987523);
-        let t100 = fma(-0.026061837, t94, -0.06372378);
-        let t101 = fma(t100, t94, -0.11762552);
-        let t102 = fma(t101, t94, -0.23594604);
-        let t103 = fma(t102, t94, -0.44721135);
-        let t104 = fma(fma(fma(fma(-0.026061837, t95, t100), t95, t101), t95, t102), t95, t103);
-        let t105 = fma(t103, t94, -0.7754678);
-        let t106 = fma(t105, t92, fma(t99, t94, 0.94559944));
-        let t107 = fma(t93, t104, fma(fma(fma(fma(0.05430631, t95, t96), t95, t97), t95, t98), t95, t99));
-        let t108 = fma(t107, t92 + t93, t105);
-        let t109 = fma(t91, t108, t106);
-        t_x = t87;
-        t_y = t88;
-        width = t89 / (1.0 + t87);
-        kappa = t90;
-        cut = t91;
-        shape = t106;
-        shape_difference = t108;
-        norm = t109;
-        tau = t83 * t86;
-        area = t89 * t88 * (spherecap_min(t76, t77) * t86) * t109;
-        t81 = t82;
+    if (0.0 < t71 && t29 && t73) {
+        t74 = sqrt(t19 + t71);
+        let t75 = sqrt(t71);
+        let t76 = 1.0 / (t74 * t14);
+        let t77 = t76 * t14;
+        let t78 = t76 * t74;
+        t_x = t72 * t77;
+        t_y = t75 * t77;
+        let t79 = t_y * t_y;
+        kappa = abs(t67) * t78;
+        cut = kappa * t_x;
+        let t80 = t_x - 0.5;
+        let t81 = cut - 0.5;
+        let t82 = t80 * t80;
+        let t83 = t81 * t81;
+        let t84 = fma(0.05430631, t82, 0.080950715);
+        let t85 = fma(t84, t82, 0.1684019);
+        let t86 = fma(t85, t82, 0.32709444);
+        let t87 = fma(t86, t82, 0.5987523);
+        let t88 = fma(-0.026061837, t82, -0.06372378);
+        let t89 = fma(t88, t82, -0.11762552);
+        let t90 = fma(t89, t82, -0.23594604);
+        let t91 = fma(t90, t82, -0.44721135);
+        let t92 = fma(t91, t82, -0.7754678);
+        shape = fma(t92, t80, fma(t87, t82, 0.94559944));
+        let t93 = fma(t81, fma(fma(fma(fma(-0.026061837, t83, t88), t83, t89), t83, t90), t83, t91), fma(fma(fma(fma(0.05430631, t83, t84), t83, t85), t83, t86), t83, t87));
+        shape_difference = fma(t93, t80 + t81, t92);
+        norm = fma(cut, shape_difference, shape);
+        width = t79 / (1.0 + t_x);
+        tau = t75 * t78;
+        area = t79 * t_y * (min(t70, t69) * t78) * norm;
     } else {
-        t81 = t44;
+        t74 = t41;
     }
-    let t110 = sqrt(t19);
-    let t111 = 1.0 / t110;
-    let radius_sin = t15 * t111;
-    let radius_cos = t79 * t111;
-    let elevation_sin = t74 * t111;
-    let elevation_cos = t81 * t111;
-    let t112 = abs(elevation_sin);
+    let t94 = sqrt(t18);
+    let t95 = 1.0 / t94;
+    let radius_sin = t14 * t95;
+    let radius_cos = t72 * t95;
+    let elevation_sin = t67 * t95;
+    let elevation_cos = t74 * t95;
+    let t96 = abs(elevation_sin);
     let climb = radius_sin * elevation_cos;
-    let rise = spherecap_max(t78 * (t111 * t111) / fma(radius_cos, t112, climb), -(radius_cos * t112));
-    let t113 = radius_sin * radius_sin;
-    let t114 = fma(t113 * t112, 3.1415927, area);
-    let t115 = 0.0 < elevation_sin;
-    let t116 = select(area, t114, t115);
-    let t117 = select(t114, area, t115);
-    let t118 = 9.8607613e-32 < t113;
-    let t119 = t118 && t80;
-    let t120 = 1.0 / t43;
-    let sideways_x = t40 * t120;
-    let sideways_y = t41 * t120;
-    let sideways_z = t42 * t120;
-    let on_surface = select(0.0, 1.0, t32);
-    let distance = t110 * select(unscale, 1.0, t10);
-    let projected_above = select(0.0, t116, 9.403955e-38 < t116 && t119);
-    let projected_below = select(0.0, t117, 9.403955e-38 < t117 && t119);
-    let t121 = 0.0 < tau;
+    let rise = max(-(radius_cos * t96), t71 * (t95 * t95) / fma(radius_cos, t96, climb));
+    let t97 = radius_sin * radius_sin;
+    let t98 = fma(t97 * t96, 3.1415927, area);
+    let t99 = 0.0 < elevation_sin;
+    let t100 = select(area, t98, t99);
+    let t101 = select(t98, area, t99);
+    let t102 = 9.8607613e-32 < t97;
+    let t103 = t102 && t73;
+    let towards_centre = vec3f(t11, t12, t13) * t95;
+    let t104 = 1.0 / t40;
+    let sideways = vec3f(t37, t38, t39) * t104;
+    let on_surface = select(0.0, 1.0, t29);
+    let distance = t94 * select(unscale, 1.0, t8);
+    let projected_above = select(0.0, t100, 9.403955e-38 < t100 && t103);
+    let projected_below = select(0.0, t101, 9.403955e-38 < t101 && t103);
+    let t105 = 0.0 < tau;
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
     let inv_below = select(0.0, 1.0 / projected_below, 0.0 < projected_below);
-    let t122 = 0.0 < inv_above + inv_below;
-    let t123 = select(inv_below, inv_above, t115);
-    let defensive_share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t122);
-    let t124 = t121 && 0.0 < t123;
-    let t125 = t_y * t_y * t_y * shape * t123;
-    let t126 = t_y / radius_sin;
-    let t127 = fma(cut - t_x, shape_difference, shape);
-    var coefficients_0 = 0.0;
-    var coefficients_1 = 0.0;
-    var coefficients_2 = 0.0;
-    var coefficients_3 = 0.0;
-    var coefficients_4 = 0.0;
-    var coefficients_5 = 0.0;
-    var coefficients_6 = 0.0;
-    var t128 = 0.0;
-    if (t121) {
-        let t129 = 1.0 + kappa;
-        let t130 = t129 * shape;
-        let t131 = 1.0 / (norm * t130);
-        let t132 = sqrt(t131);
-        let t133 = norm * t132;
-        let t134 = 1.0 / (1.0 + cut);
-        let t135 = (t_x + kappa) * t134 - 0.5;
-        let t136 = t135 * t135;
-        let t137 = fma(fma(fma(-0.026061837, t136, -0.06372378), t136, -0.11762552), t136, -0.23594604);
-        let t138 = fma(fma(fma(0.05430631, t136, 0.080950715), t136, 0.1684019), t136, 0.32709444);
-        let t139 = fma(fma(fma(t137, t136, -0.44721135), t136, -0.7754678), t135, fma(fma(t138, t136, 0.5987523), t136, 0.94559944));
-        let t140 = t129 * t139 * (t134 * t134 * t134) * (t130 * t131);
-        let t141 = fma(t140, t130 * t132, -1.0);
-        let t142 = 1.0 - t140;
-        let t143 = fma(fma(30.011856, t141, fma(-41.541264, t142, -37.009792)), t141, fma(77.96775, t142, 7.470758));
-        let t144 = fma(fma(fma(fma(15.716111, t142, 0.0), t142, 9.961183), t142, -2.61785), t142, 0.8681748);
-        let t145 = fma(fma(t143, t141, fma(fma(-49.13454, t142, -9.466533), t142, -1.5877596)), t141, t144);
-        let t146 = t141 * t145;
-        let t147 = fma(fma(7.295638, t141, -7.236236), t141, fma(fma(fma(-11.4868555, t142, 0.0), t142, 0.0), t142, 3.1255686));
-        let t148 = fma(fma(fma(13.728438, t142, -7.981878), t142, 2.025724), t142, -0.7334958);
-        let t149 = t141 * fma(t147, t141, t148);
-        let t150 = fma(fma(-23.220068, t142, 7.332055), t141, fma(fma(fma(9.986537, t142, 25.22195), t142, 0.0), t142, -2.9581387));
-        let t151 = fma(fma(fma(-19.722994, t142, 4.6594768), t142, -0.89538246), t142, 0.5143498);
-        let t152 = t141 * fma(t150, t141, t151);
-        let t153 = fma(fma(fma(1.946617, t141, -3.077631), t141, 1.4945927), t141, -0.24140751);
-        let t154 = t141 * t153;
-        let t155 = t141 * fma(fma(0.38173297, t141, -0.30305624), t141, 0.05897375);
-        let t156 = 1.0 / (elevation_cos * elevation_cos);
-        let t157 = tau * tau;
-        let t158 = t157 * t156 / (1.0 + t_x);
-        let t159 = kappa - 0.5;
-        let t160 = cut - 0.5;
-        let t161 = t159 * t159;
-        let t162 = t160 * t160;
-        let t163 = fma(0.05430631, t161, 0.080950715);
-        let t164 = fma(t163, t161, 0.1684019);
-        let t165 = fma(t164, t161, 0.32709444);
-        let t166 = fma(fma(fma(fma(0.05430631, t162, t163), t162, t164), t162, t165), t162, fma(t165, t161, 0.5987523));
-        let t167 = fma(-0.026061837, t161, -0.06372378);
-        let t168 = fma(t167, t161, -0.11762552);
-        let t169 = fma(t168, t161, -0.23594604);
-        let t170 = fma(t169, t161, -0.44721135);
-        let t171 = fma(fma(fma(fma(-0.026061837, t162, t167), t162, t168), t162, t169), t162, t170);
-        let t172 = fma(kappa * t158, fma(fma(t160, t171, t166), t159 + t160, fma(t170, t161, -0.7754678)), fma(t127, t158 - kappa * kappa, kappa) * t156);
-        let t173 = spherecap_min(spherecap_max(t157 * tau * (radius_cos + 1.0) * t172 * 0.31830987, 0.0), 0.5);
-        coefficients_0 = t133;
-        coefficients_1 = t140 - t133 + t146;
-        coefficients_2 = t149 - t146;
-        coefficients_3 = t152 - t149;
-        coefficients_4 = t154 - t152;
-        coefficients_5 = t155 - t154;
-        coefficients_6 = -t155;
-        t128 = t173;
+    let t106 = 0.0 < inv_above + inv_below;
+    let t107 = select(inv_below, inv_above, t99);
+    let t108 = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t106);
+    let t109 = 0.0 < t107 && t105;
+    let t110 = t_y * t_y * t_y * shape * t107;
+    let t111 = t_y / radius_sin;
+    let t112 = fma(cut - t_x, shape_difference, shape);
+    var b_0 = 0.0;
+    var b_1 = 0.0;
+    var b_2 = 0.0;
+    var b_3 = 0.0;
+    var b_4 = 0.0;
+    var b_5 = 0.0;
+    var b_6 = 0.0;
+    var t113 = 0.0;
+    if (t105) {
+        let t114 = 1.0 + kappa;
+        let t115 = t114 * shape;
+        let t116 = 1.0 / (norm * t115);
+        let t117 = sqrt(t116);
+        b_0 = norm * t117;
+        let t118 = 1.0 / (1.0 + cut);
+        let t119 = (t_x + kappa) * t118 - 0.5;
+        let t120 = t119 * t119;
+        let t121 = fma(fma(fma(-0.026061837, t120, -0.06372378), t120, -0.11762552), t120, -0.23594604);
+        let t122 = fma(fma(fma(0.05430631, t120, 0.080950715), t120, 0.1684019), t120, 0.32709444);
+        let t123 = fma(fma(fma(t121, t120, -0.44721135), t120, -0.7754678), t119, fma(fma(t122, t120, 0.5987523), t120, 0.94559944));
+        let t124 = t114 * t123 * (t118 * t118 * t118) * (t115 * t116);
+        let t125 = fma(t124, t115 * t117, -1.0);
+        let t126 = 1.0 - t124;
+        let t127 = fma(fma(30.011856, t125, fma(-41.541264, t126, -37.009792)), t125, fma(77.96775, t126, 7.470758));
+        let t128 = fma(fma(fma(15.716111 * t126, t126, 9.961183), t126, -2.61785), t126, 0.8681748);
+        let t129 = fma(fma(t127, t125, fma(fma(-49.13454, t126, -9.466533), t126, -1.5877596)), t125, t128);
+        let t130 = t125 * t129;
+        let t131 = fma(fma(7.295638, t125, -7.236236), t125, fma(-11.4868555 * t126 * t126, t126, 3.1255686));
+        let t132 = fma(fma(fma(13.728438, t126, -7.981878), t126, 2.025724), t126, -0.7334958);
+        let t133 = t125 * fma(t131, t125, t132);
+        let t134 = fma(fma(-23.220068, t126, 7.332055), t125, fma(fma(9.986537, t126, 25.22195) * t126, t126, -2.9581387));
+        let t135 = fma(fma(fma(-19.722994, t126, 4.6594768), t126, -0.89538246), t126, 0.5143498);
+        let t136 = t125 * fma(t134, t125, t135);
+        let t137 = fma(fma(fma(1.946617, t125, -3.077631), t125, 1.4945927), t125, -0.24140751);
+        let t138 = t125 * t137;
+        let t139 = t125 * fma(fma(0.38173297, t125, -0.30305624), t125, 0.05897375);
+        let t140 = 1.0 / (elevation_cos * elevation_cos);
+        let t141 = tau * tau;
+        let t142 = t141 * t140 / (1.0 + t_x);
+        let t143 = kappa - 0.5;
+        let t144 = cut - 0.5;
+        let t145 = t143 * t143;
+        let t146 = t144 * t144;
+        let t147 = fma(0.05430631, t145, 0.080950715);
+        let t148 = fma(t147, t145, 0.1684019);
+        let t149 = fma(t148, t145, 0.32709444);
+        let t150 = fma(fma(fma(fma(0.05430631, t146, t147), t146, t148), t146, t149), t146, fma(t149, t145, 0.5987523));
+        let t151 = fma(-0.026061837, t145, -0.06372378);
+        let t152 = fma(t151, t145, -0.11762552);
+        let t153 = fma(t152, t145, -0.23594604);
+        let t154 = fma(t153, t145, -0.44721135);
+        let t155 = fma(fma(fma(fma(-0.026061837, t146, t151), t146, t152), t146, t153), t146, t154);
+        let t156 = fma(kappa * t142, fma(fma(t144, t155, t150), t143 + t144, fma(t154, t145, -0.7754678)), fma(t112, t142 - kappa * kappa, kappa) * t140);
+        b_1 = t124 - b_0 + t130;
+        b_2 = t133 - t130;
+        b_3 = t136 - t133;
+        b_4 = t138 - t136;
+        b_5 = t139 - t138;
+        b_6 = -t139;
+        t113 = min(0.5, max(0.0, t141 * tau * (radius_cos + 1.0) * t156 * 0.31830987));
     }
-    let t174 = 0.0 < defensive_share;
-    let t175 = select(0.0, t113 / (1.0 + radius_cos), t118 && 0.0 < radius_cos);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t175, 0.0 < t175), t174);
-    let sides_share = select(1.0, select(0.0, select(t128, 1.0 - t128, t115), 0.0 < inv_above), 0.0 < inv_below);
-    let t176 = 0.0 <= defensive && defensive <= 1.0 && t8 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t122 || (t174 && 0.0 < inv_solid_angle));
-    var light: spherecap_both_light;
-    light.is_sampled = t176;
-    light.solid_angle = select(0.0, t175 * 6.2831855, t176);
-    light.projected_solid_angle = select(0.0, projected_above, t176);
-    light.towards_centre = vec3f(t12 * t111, t13 * t111, t14 * t111);
-    light.sideways = vec3f(sideways_x, sideways_y, sideways_z);
-    light.normal = vec3f(normal_x, normal_y, normal_z);
-    light.up = vec3f(up_x, up_y, up_z);
-    light.on_surface = on_surface;
-    light.distance = distance;
-    light.radius_sin = radius_sin;
-    light.radius_cos = radius_cos;
-    light.elevation_sin = elevation_sin;
-    light.elevation_cos = elevation_cos;
-    light.tau = tau;
-    light.kappa = kappa;
-    light.width = width;
-    light.cut = cut;
-    light.rise = rise;
-    light.defensive_share = defensive_share;
-    light.requested = defensive;
-    light.inv_above = inv_above;
-    light.inv_below = inv_below;
-    light.sides_share = sides_share;
-    light.third_axis = vec3f(fma(sideways_y, up_z, -(sideways_z * up_y)), fma(sideways_z, up_x, -(sideways_x * up_z)), fma(sideways_x, up_y, -(sideways_y * up_x)));
-    light.height = select(0.0, t175, t174);
-    light.inv_solid_angle = inv_solid_angle;
-    light.crescent_share = select(0.0, t125, t124);
-    light.inv_rest = select(1.0, 1.0 / (1.0 - t125), t124);
-    light.beyond = select(0.0, t126 * t126 * t126 * t127, t124);
-    light.middle = elevation_cos * radius_cos;
-    light.half_axis = radius_sin * t112;
-    light.climb = climb;
-    light.coefficients_0 = coefficients_0;
-    light.coefficients_1 = coefficients_1;
-    light.coefficients_2 = coefficients_2;
-    light.coefficients_3 = coefficients_3;
-    light.coefficients_4 = coefficients_4;
-    light.coefficients_5 = coefficients_5;
-    light.coefficients_6 = coefficients_6;
-    return light;
+    let t157 = 0.0 < t108;
+    let t158 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t102);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t158, 0.0 < t158), t157);
+    let share_above = select(1.0, select(0.0, select(t113, 1.0 - t113, t99), 0.0 < inv_above), 0.0 < inv_below);
+    let t159 = 0.0 < inv_solid_angle && t157;
+    let t160 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t106 || t159);
+    return spherecap_both_light(
+        t160, select(0.0, t158 * 6.2831855, t160), select(0.0, projected_above, t160), towards_centre,
+        sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t108, defensive,
+        inv_above, inv_below, share_above,
+        vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
+        select(0.0, t158, t157), inv_solid_angle, select(0.0, t110, t109),
+        select(1.0, 1.0 / (1.0 - t110), t109), select(0.0, t111 * t111 * t111 * t112, t109),
+        elevation_cos * radius_cos, radius_sin * t96, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
+    );
 }
 
 fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spherecap_sample {
@@ -1491,157 +1283,133 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     }
     let t1 = abs(light.elevation_sin);
     let t2 = 0.0 < light.elevation_sin;
-    let t3 = 0.0 < light.defensive_share;
-    let t4 = spherecap_min(spherecap_max(u0, 5.9604645e-8), 0.99999994);
-    let t5 = spherecap_min(spherecap_max(u1, 5.9604645e-8), 0.99999994);
-    let t6 = t3 && t4 < light.defensive_share;
-    let t7 = 1.0 - light.defensive_share;
-    let t8 = select(t4 - light.defensive_share, t4, t6) / select(t7, light.defensive_share, t6);
-    let t9 = select(t4, spherecap_min(spherecap_max(t8, 5.9604645e-8), 0.99999994), 0.0 < light.requested);
-    let t10 = t6 || t9 < light.sides_share;
-    let t11 = 1.0 - light.sides_share;
-    let t12 = select(t9 - light.sides_share, t9, t10) / select(t11, light.sides_share, t10);
-    let t13 = select(spherecap_min(spherecap_max(t12, 5.9604645e-8), 0.99999994), t9, t6);
-    let t14 = t6 || !(0.0 < light.tau);
-    let t15 = !t14 && !((t10 && t2) || (!t10 && !t2));
-    let t16 = t14 || (!t15 && light.crescent_share <= t13);
-    let t17 = 1.0 - t5;
-    let t18 = t5 - t17;
-    let t19 = 4.0 * t5 * t17;
-    let t20 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8);
-    let t21 = select(spherecap_min(t20, 0.99999994), t13, t14);
-    let t22 = select(light.beyond, 0.0, t14);
-    let t23 = 3.1415927 - t22;
-    let t24 = fma(t21, t23, t22);
-    let t25 = (1.0 - t21) * t23;
-    var t26 = 0.0;
-    var t27 = 0.0;
-    var t28 = 0.0;
-    var t29 = 0.0;
-    if (t16) {
-        t27 = spherecap_min(t24, t25) * 0.53033006;
-        t28 = 1.0;
-        t29 = 1.0;
+    let t3 = 0.0 < light.defensive;
+    let t4 = min(0.99999994, max(5.9604645e-8, u0));
+    let t5 = min(0.99999994, max(5.9604645e-8, u1));
+    let t6 = t4 < light.defensive && t3;
+    let t7 = 1.0 - light.defensive;
+    let t8 = max(5.9604645e-8, select(t4 - light.defensive, t4, t6) / select(t7, light.defensive, t6));
+    let t9 = select(t4, min(0.99999994, t8), 0.0 < light.requested);
+    let t10 = t9 < light.share_above || t6;
+    let t11 = 1.0 - light.share_above;
+    let t12 = select(t9 - light.share_above, t9, t10) / select(t11, light.share_above, t10);
+    let t13 = t10 && t2;
+    let t14 = !t10 && !t2;
+    let t15 = select(min(0.99999994, max(5.9604645e-8, t12)), t9, t6);
+    let t16 = !(0.0 < light.tau) || t6;
+    let t17 = !(t13 || t14) && !t16;
+    let t18 = light.crescent_share <= t15 && !t17;
+    let t19 = t16 || t18;
+    let t20 = 1.0 - t5;
+    let t21 = t5 - t20;
+    let t22 = 4.0 * t5 * t20;
+    var t23: f32;
+    var t24: f32;
+    var t25: f32;
+    var t26: f32;
+    if (t19) {
+        let t27 = min(0.99999994, max(5.9604645e-8, (t15 - light.crescent_share) * light.inv_rest));
+        let t28 = select(t27, t15, t16);
+        let t29 = select(light.beyond, 0.0, t16);
+        let t30 = 3.1415927 - t29;
+        let t31 = fma(t28, t30, t29);
+        let t32 = (1.0 - t28) * t30;
+        t23 = min(t32, t31) * 0.53033006;
+        t24 = 1.0;
+        t25 = 1.0;
+        t26 = t31 - t32;
     } else {
-        let t30 = sqrt(t19);
-        let t31 = fma(fma(light.coefficients_6, t19, light.coefficients_4), t19, light.coefficients_2);
-        let t32 = fma(fma(light.coefficients_5, t19, light.coefficients_3), t19, light.coefficients_1);
-        let t33 = t30 * fma(t32, t30, fma(t31, t19, light.coefficients_0));
-        let t34 = sqrt(fma(t18, t18, t33 * t33));
-        let t35 = light.tau * t33;
-        let t36 = select(1.0, fma(t18, t18, t35 * t35), t15);
-        let t37 = select(light.crescent_share, fma(light.kappa, t33, t34) * fma(light.cut, t33, t34), t15);
-        let t38 = select(t13, light.width, t15) / t37;
-        let t39 = select(spherecap_min(spherecap_max(t38, 5.9604645e-8), 0.99999994), t13, t15);
-        let t40 = select(light.width, t38, t15);
-        let t41 = t36 * t40;
+        let t33 = sqrt(t22);
+        let t34 = fma(fma(fma(light.b_5, t22, light.b_3), t22, light.b_1), t33, fma(fma(fma(light.b_6, t22, light.b_4), t22, light.b_2), t22, light.b_0));
+        let t35 = t33 * t34;
+        let t36 = sqrt(fma(t21, t21, t35 * t35));
+        let t37 = light.tau * t35;
+        t25 = select(1.0, fma(t21, t21, t37 * t37), t17);
+        let t38 = select(light.crescent_share, fma(light.kappa, t35, t36) * fma(light.cut, t35, t36), t17);
+        let t39 = select(t15, light.width, t17) / t38;
+        let t40 = select(light.width, t39, t17);
+        let t41 = t25 * t40;
         let t42 = t41 * t41;
         let t43 = fma(fma(fma(-0.00060778117, t42, -0.0027203285), t42, -0.10000902), t41, fma(fma(1.0676054e-5, t42, -0.011332183), t42, 1.0000001));
-        t26 = select(t30, t35, t15);
-        t27 = t39;
-        t28 = t40 * t43;
-        t29 = t36;
+        t23 = select(min(0.99999994, max(5.9604645e-8, t39)), t15, t17);
+        t24 = t40 * t43;
+        t26 = select(t33, t37, t17);
     }
-    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t27), -0.33333334, 1419900500.0));
-    let t45 = fma(-(t27 * t44), t44 * t44, 1.0);
+    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t23), -0.33333334, 1419900500.0));
+    let t45 = fma(-(t23 * t44), t44 * t44, 1.0);
     let t46 = t45 * t45;
     let t47 = fma(fma(fma(0.110958695, t46, 0.14403293), t46, 0.22222222), t45, fma(fma(0.12482853, t46, 0.17283951), t46, 0.33333334));
-    let t48 = t28 * (t27 * fma(t44, t45 * t47, t44));
-    let t49 = t48 * t29;
+    let t48 = t24 * (t23 * fma(t44, t45 * t47, t44));
+    let t49 = t48 * t25;
     let t50 = t49 * t49;
     let t51 = fma(fma(fma(-0.063446075, t50, -0.056249518), t50, 0.0074712755), t50, 0.09996679);
     let t52 = fma(fma(fma(0.022114987, t50, 0.085662976), t50, 0.030445365), t50, 0.03209764);
     let t53 = t48 * fma(t51, t49, fma(t52, t50, 1.0000004));
-    let t54 = select(t53, spherecap_min(t53, 1.0), t16);
-    let t55 = t29 * t54;
+    let t54 = select(t53, min(1.0, t53), t19);
+    let t55 = t25 * t54;
     let t56 = 2.0 - t55;
     let t57 = t54 * t56;
     let t58 = sqrt(t57);
-    var t59 = 0.0;
-    var t60 = 0.0;
-    var t61 = 0.0;
-    var side = 0.0;
-    var t62 = 0.0;
-    if (t16) {
-        let t63 = select(t56, t55, t24 - t25 < 0.0);
-        let t64 = t57 * t19;
-        var t65 = 0.0;
-        var t66 = 0.0;
-        var t67 = 0.0;
-        var t68 = 0.0;
-        var t69 = 0.0;
+    var side: f32;
+    var t59: f32;
+    var t60: f32;
+    var t61: f32;
+    var t62: f32;
+    if (t19) {
+        let t63 = select(t56, t55, t26 < 0.0);
+        let t64 = t57 * t22;
         if (t6) {
-            let t70 = light.height * (1.0 - t64);
-            let t71 = sqrt(light.height * (2.0 - t70));
-            let t72 = (t63 - 1.0) * t71;
-            let t73 = 1.0 - t70;
-            let t74 = fma(light.elevation_sin, t73, light.elevation_cos * t72);
-            t65 = fma(light.elevation_cos, t73, -(light.elevation_sin * t72));
-            t66 = t74;
-            t67 = t72;
-            t68 = t58 * t18 * t71;
-            t69 = t74 * light.on_surface;
+            let t65 = light.height * (1.0 - t64);
+            let t66 = sqrt(light.height * (2.0 - t65));
+            t61 = (t63 - 1.0) * t66;
+            let t67 = 1.0 - t65;
+            t60 = fma(light.elevation_sin, t67, light.elevation_cos * t61);
+            t59 = fma(light.elevation_cos, t67, -(light.elevation_sin * t61));
+            side = t58 * t21 * t66;
+            t62 = t60 * light.on_surface;
         } else {
-            let t75 = 1.0 - t63;
-            let t76 = spherecap_max(fma(light.climb, t63, -light.rise), 0.0);
-            let t77 = sqrt(fma(t76, t76, light.radius_sin * light.radius_sin * t64));
-            let t78 = t1 * light.radius_cos;
-            let t79 = fma(light.elevation_cos * t75, fma(light.climb, t75, -2.0 * t78), light.radius_sin * t64);
-            let t80 = light.radius_sin * fma(light.elevation_cos, t79 / (t77 + t78), -(t1 * t1 * t75));
-            t65 = fma(light.half_axis, t75, light.middle);
-            t66 = t77;
-            t67 = t80;
-            t68 = light.radius_sin * t58 * t18;
-            t69 = t77;
+            let t68 = 1.0 - t63;
+            let t69 = max(0.0, fma(light.climb, t63, -light.rise));
+            t60 = sqrt(fma(t69, t69, light.radius_sin * light.radius_sin * t64));
+            let t70 = t1 * light.radius_cos;
+            let t71 = fma(light.elevation_cos * t68, fma(light.climb, t68, -2.0 * t70), light.radius_sin * t64);
+            t61 = light.radius_sin * fma(light.elevation_cos, t71 / (t60 + t70), -(t1 * t1 * t68));
+            t59 = fma(light.half_axis, t68, light.middle);
+            side = light.radius_sin * t58 * t21;
+            t62 = t60;
         }
-        t59 = t65;
-        t60 = t66;
-        t61 = t67;
-        side = t68;
-        t62 = t69;
     } else {
-        let t81 = t58 * t26;
-        let t82 = 1.0 - t55;
-        t59 = t82;
-        t60 = t81;
-        t61 = fma(light.elevation_cos, t81, -(select(t1, -t1, t15) * t82));
-        side = t58 * t18;
-        t62 = t81;
+        t60 = t58 * t26;
+        t59 = 1.0 - t55;
+        side = t58 * t21;
+        t61 = fma(light.elevation_cos, t60, -(select(t1, -t1, t17) * t59));
+        t62 = t60;
     }
-    let t83 = select(-1.0, 1.0, t10);
-    let zenith = t61 * t83;
-    let cosine = t62 * t83;
-    let t84 = t60 * t83;
-    let t85 = spherecap_min(abs(cosine), 3.4028235e38);
-    let t86 = select(select(0.0, light.inv_below * t11, cosine < 0.0), light.inv_above * light.sides_share, 0.0 < cosine);
-    let t87 = light.defensive_share * light.inv_solid_angle;
-    let t88 = fma(t86, t7, spherecap_min(t87 / spherecap_max(t85, 1.1754944e-38), 3.4028235e38));
-    let t89 = fma(zenith, zenith, side * side);
-    let t90 = spherecap_max(fma(light.radius_sin, light.radius_sin, -t89), 0.0);
-    let t91 = sqrt(t90);
-    let t92 = sqrt(fma(light.radius_cos, light.radius_cos, t90));
-    let t93 = light.radius_cos * light.radius_cos / (t92 + t91);
-    let t94 = 1.0 / light.radius_sin;
-    let t95 = t93 * t94;
-    let t96 = -fma(t92, t91, t89) * t94;
-    let t97 = t95 * zenith;
-    let t98 = t95 * side;
-    let t99 = fma(light.third_axis.x, t59, fma(light.sideways.x, side, light.up.x * t84));
-    let t100 = fma(light.third_axis.y, t59, fma(light.sideways.y, side, light.up.y * t84));
-    let t101 = fma(light.third_axis.z, t59, fma(light.sideways.z, side, light.up.z * t84));
-    let t102 = fma(light.elevation_cos, t96, -(light.elevation_sin * t97));
-    let t103 = fma(light.elevation_sin, t96, light.elevation_cos * t97);
-    let t104 = fma(light.third_axis.x, t102, fma(light.sideways.x, t98, light.up.x * t103));
-    let t105 = fma(light.third_axis.y, t102, fma(light.sideways.y, t98, light.up.y * t103));
-    let t106 = fma(light.third_axis.z, t102, fma(light.sideways.z, t98, light.up.z * t103));
-    var sampled: spherecap_sample;
-    sampled.direction = vec3f(t99, t100, t101);
-    sampled.distance = t93 * light.distance;
-    sampled.normal = vec3f(t104, t105, t106);
-    sampled.cosine = cosine;
-    sampled.pdf = select(t86 * t85, fma(t86, t7 * t85, t87), t3);
-    sampled.projected_pdf = select(t86, spherecap_min(t88, 3.4028235e38), t3);
-    return sampled;
+    let t72 = select(-1.0, 1.0, t10);
+    let zenith = t61 * t72;
+    let cosine = t62 * t72;
+    let t73 = t60 * t72;
+    let t74 = min(3.4028235e38, abs(cosine));
+    let t75 = select(select(0.0, light.inv_below * t11, cosine < 0.0), light.inv_above * light.share_above, 0.0 < cosine);
+    let t76 = light.defensive * light.inv_solid_angle;
+    let t77 = min(3.4028235e38, fma(t75, t7, min(3.4028235e38, t76 / max(1.1754944e-38, t74))));
+    let t78 = fma(zenith, zenith, side * side);
+    let t79 = max(0.0, fma(light.radius_sin, light.radius_sin, -t78));
+    let t80 = sqrt(t79);
+    let t81 = sqrt(fma(light.radius_cos, light.radius_cos, t79));
+    let t82 = light.radius_cos * light.radius_cos / (t81 + t80);
+    let t83 = 1.0 / light.radius_sin;
+    let t84 = t82 * t83;
+    let t85 = -fma(t81, t80, t78) * t83;
+    let t86 = t84 * zenith;
+    let t87 = t84 * side;
+    let t88 = fma(light.elevation_cos, t85, -(light.elevation_sin * t86));
+    let t89 = fma(light.elevation_sin, t85, light.elevation_cos * t86);
+    return spherecap_sample(
+        light.third_axis * t59 + light.sideways * side + light.up * t73, t82 * light.distance,
+        light.third_axis * t88 + light.sideways * t87 + light.up * t89, cosine,
+        select(t75 * t74, fma(t75, t7 * t74, t76), t3), select(t75, t77, t3)
+    );
 }
 
 fn spherecap_both_sample_once(normal: vec3f, centre: vec3f, radius: f32, defensive: f32, u0: f32, u1: f32) -> spherecap_sample {
@@ -1652,81 +1420,75 @@ fn spherecap_both_pdf_direction(light: spherecap_both_light, direction: vec3f) -
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.towards_centre.y, direction.y, light.towards_centre.z * direction.z);
-    let t2 = fma(light.towards_centre.y, light.sideways.z, -(light.towards_centre.z * light.sideways.y));
-    let t3 = fma(light.towards_centre.z, light.sideways.x, -(light.towards_centre.x * light.sideways.z));
-    let t4 = fma(light.towards_centre.x, light.sideways.y, -(light.towards_centre.y * light.sideways.x));
-    let t5 = fma(light.sideways.x, direction.x, fma(light.sideways.y, direction.y, light.sideways.z * direction.z));
-    let t6 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t7 = fma(light.towards_centre.x, direction.x, t1) < 0.0;
-    let t8 = select(fma(t2, direction.x, fma(t3, direction.y, t4 * direction.z)), 1.0, t7);
-    let t9 = select(t5, 1.0, t7);
-    let t10 = spherecap_min(abs(t6), 3.4028235e38);
-    let t11 = select(select(0.0, light.inv_below * (1.0 - light.sides_share), t6 < 0.0), light.inv_above * light.sides_share, 0.0 < t6);
-    let t12 = fma(t11, (1.0 - light.defensive_share) * t10, light.defensive_share * light.inv_solid_angle);
-    let t13 = select(0.0, select(t11 * t10, t12, 0.0 < light.defensive_share), fma(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t14 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    return select(0.0, t13, 0.998001 <= t14 && t14 <= 1.002001);
+    let t1 = dot(light.normal, direction);
+    let t2 = dot(light.towards_centre, direction) < 0.0;
+    let t3 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t2);
+    let t4 = select(dot(light.sideways, direction), 1.0, t2);
+    let t5 = min(3.4028235e38, abs(t1));
+    let t6 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t1 < 0.0), light.inv_above * light.share_above, 0.0 < t1);
+    let t7 = fma(t6, (1.0 - light.defensive) * t5, light.defensive * light.inv_solid_angle);
+    let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t9 = dot(direction, direction);
+    return select(0.0, t8, 0.998001 <= t9 && t9 <= 1.002001);
 }
 
 fn spherecap_both_pdf_on_sphere(light: spherecap_both_light, direction: vec3f) -> f32 {
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = fma(light.normal.x, direction.x, fma(light.normal.y, direction.y, light.normal.z * direction.z));
-    let t2 = spherecap_min(abs(t1), 3.4028235e38);
-    let t3 = select(select(0.0, light.inv_below * (1.0 - light.sides_share), t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
-    let t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
-    let t5 = fma(direction.x, direction.x, fma(direction.y, direction.y, direction.z * direction.z));
-    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
+    let t1 = dot(light.normal, direction);
+    let t2 = min(3.4028235e38, abs(t1));
+    let t3 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t1 < 0.0), light.inv_above * light.share_above, 0.0 < t1);
+    let t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    let t5 = dot(direction, direction);
+    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive), 0.998001 <= t5 && t5 <= 1.002001);
     return t6;
 }
 
 fn spherecap_both_importance(normal: vec3f, centre: vec3f, radius: f32, defensive: f32, strength: f32) -> f32 {
-    let t1 = fma(normal.x, normal.x, fma(normal.y, normal.y, normal.z * normal.z)) - 1.0;
-    var t2 = 0.0;
-    var t3 = 0.0;
-    var t4 = 0.0;
-    if (abs(t1) <= 4.7683716e-7) {
-        t2 = normal.x;
-        t3 = normal.y;
-        t4 = normal.z;
+    var t1: f32;
+    var t2: f32;
+    var t3: f32;
+    if (abs(dot(normal, normal) - 1.0) <= 4.7683716e-7) {
+        t1 = normal.x;
+        t2 = normal.y;
+        t3 = normal.z;
     } else {
-        let t5 = spherecap_max(abs(normal.x) + abs(normal.y) + abs(normal.z), 1.1754944e-38);
-        let t6 = spherecap_power_of_two(spherecap_min(t5, 8.5070587e37));
-        let t7 = normal.x / t6;
-        let t8 = normal.y / t6;
-        let t9 = normal.z / t6;
-        let t10 = spherecap_max(sqrt(fma(t7, t7, fma(t8, t8, t9 * t9))), 1.1754944e-38);
-        t2 = t7 / t10;
-        t3 = t8 / t10;
-        t4 = t9 / t10;
+        let t4 = min(8.5070587e37, max(1.1754944e-38, abs(normal.x) + abs(normal.y) + abs(normal.z)));
+        let t5 = spherecap_power_of_two(t4);
+        let t6 = normal.x / t5;
+        let t7 = normal.y / t5;
+        let t8 = normal.z / t5;
+        let t9 = max(1.1754944e-38, sqrt(fma(t6, t6, fma(t7, t7, t8 * t8))));
+        t1 = t6 / t9;
+        t2 = t7 / t9;
+        t3 = t8 / t9;
     }
-    let t11 = spherecap_max(abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius), 1.1754944e-38);
-    let unscale = spherecap_power_of_two(spherecap_min(t11, 8.5070587e37));
+    let t10 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t10));
     let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t12 = centre.x * scale;
-    let t13 = centre.y * scale;
-    let t14 = centre.z * scale;
-    let t15 = radius * scale;
-    let t16 = sqrt(fma(t12, t12, fma(t13, t13, t14 * t14)));
-    let t17 = 1.0 / t16;
-    let t18 = t15 * t17;
-    let t19 = t18 * t18;
-    let t20 = fma(t2, t2, fma(t3, t3, t4 * t4));
-    let t21 = 0.0 <= defensive && defensive <= 1.0 && t20 <= 2.0 && 0.0 < radius && t16 * unscale <= 3.4028235e38;
-    let t22 = fma(t2, t12, fma(t3, t13, t4 * t14));
-    let t23 = spherecap_max(fma(-t19, t19, 0.9999981), 0.0);
-    let t24 = fma(t22, t17, 2.3841858e-7);
-    let t25 = fma(t22 + t15, t17, 2.3841858e-7);
-    let t26 = select(select(0.0, t25 * t25 / (fma(t18 - t24, t23, t25) * 2.0), 0.0 < t25), t24, t18 <= t24);
-    let t27 = fma(-t22, t17, 2.3841858e-7);
-    let t28 = fma(-t22 + t15, t17, 2.3841858e-7);
-    let t29 = select(select(0.0, t28 * t28 / (fma(t18 - t27, t23, t28) * 2.0), 0.0 < t28), t27, t18 <= t27);
-    let t30 = t26 + t29;
-    let t31 = select(fma(defensive, 0.5 - t30, t30), 1.0, t20 <= 0.0);
-    let t32 = t19 <= 1.0000019 && 4.9303807e-32 < t19 && t21 && 0.0 < strength && strength <= 3.4028235e38;
-    let t33 = spherecap_min(spherecap_max(t19 * t31 * strength, 1.1754944e-38), 3.4028235e38);
-    return select(0.0, t33, t32 && (0.0 < t31 || 0.0 < defensive));
+    let t11 = centre.x * scale;
+    let t12 = centre.y * scale;
+    let t13 = centre.z * scale;
+    let t14 = radius * scale;
+    let t15 = sqrt(fma(t11, t11, fma(t12, t12, t13 * t13)));
+    let t16 = 1.0 / t15;
+    let t17 = t14 * t16;
+    let t18 = t17 * t17;
+    let t19 = fma(t1, t1, fma(t2, t2, t3 * t3));
+    let t20 = 0.0 <= defensive && defensive <= 1.0 && t19 <= 2.0 && 0.0 < radius && t15 * unscale <= 3.4028235e38;
+    let t21 = fma(t1, t11, fma(t2, t12, t3 * t13));
+    let t22 = max(0.0, fma(-t18, t18, 0.9999981));
+    let t23 = fma(t21, t16, 2.3841858e-7);
+    let t24 = fma(t21 + t14, t16, 2.3841858e-7);
+    let t25 = select(select(0.0, t24 * t24 / (fma(t17 - t23, t22, t24) * 2.0), 0.0 < t24), t23, t17 <= t23);
+    let t26 = fma(-t21, t16, 2.3841858e-7);
+    let t27 = fma(-t21 + t14, t16, 2.3841858e-7);
+    let t28 = select(select(0.0, t27 * t27 / (fma(t17 - t26, t22, t27) * 2.0), 0.0 < t27), t26, t17 <= t26);
+    let t29 = t25 + t28;
+    let t30 = select(fma(defensive, 0.5 - t29, t29), 1.0, t19 <= 0.0);
+    let t31 = t18 <= 1.0000019 && 4.9303807e-32 < t18 && 0.0 < strength && t20 && strength <= 3.4028235e38;
+    let t32 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t18 * t30 * strength)), (0.0 < t30 || 0.0 < defensive) && t31);
+    return t32;
 }
 

@@ -26,7 +26,6 @@ use graph::{Builder, Graph, Kind, Value};
 use language::{Guard, Language, Type, LANGUAGES};
 use print::Printer;
 use std::collections::{BTreeSet, HashMap};
-use std::fmt::Write as _;
 use std::{env, fs, path::Path};
 
 /// What is known when a function is written, and what it is told when it runs.
@@ -201,7 +200,9 @@ fn fields<'t>(tape: &'t Tape, sampler: &Sampler<Recorded<'t>>) -> Vec<(String, R
         });
         short(names, parts.unwrap_or(names.len()))
     };
-    found.iter().map(|(names, number)| (name(names), *number)).collect()
+    // The polynomial that docs/mathematics.md calls B.
+    let brief = |name: String| name.replace("coefficients_", "b_");
+    found.iter().map(|(names, number)| (brief(name(names)), *number)).collect()
 }
 
 /// What a function gives.
@@ -399,21 +400,14 @@ impl Language {
     }
 
     fn no_sample(&self) -> String {
-        let mut text = self.signature("no_sample", &[], Type::Struct("sample")) + "\n";
-        let mut line = |line: String| writeln!(text, "    {line}").expect("strings can be written to");
-        line(self.result("sampled", "sample"));
         let zero = self.number(0);
-        for (name, of, _) in SAMPLE {
-            let place = format!("sampled.{name}");
-            match of {
-                Type::Vector => {
-                    self.store(&place, [0; 3].map(|_| zero.clone())).into_iter().for_each(&mut line);
-                }
-                _ => line(format!("{place} = {zero};")),
-            }
-        }
-        line("return sampled;".to_owned());
-        text + "}\n"
+        let values = SAMPLE.map(|(_, of, _)| match of {
+            Type::Vector => self.vector([0; 3].map(|_| zero.clone())),
+            _ => zero.clone(),
+        });
+        let lines: String =
+            self.returned("sample", values.into()).iter().map(|line| format!("    {line}\n")).collect();
+        format!("{}\n{lines}}}\n", self.signature("no_sample", &[], Type::Struct("sample")))
     }
 
     /// The parameters' texts, by place.
@@ -469,14 +463,8 @@ impl Language {
         if self.guard == Guard::UnknownZero {
             printer.line(self.unknown_zero());
         }
-        printer.run();
-        printer.line(&self.result("light", sampler));
-        let mut outputs = outputs.iter();
-        for (name, of) in &fields {
-            self.assign(&mut printer, &format!("light.{name}"), *of, &mut outputs);
-        }
-        assert!(outputs.next().is_none(), "a sampler's vectors are read whole");
-        printer.line("return light;");
+        let types: Vec<Type> = fields.iter().map(|(_, of)| *of).collect();
+        self.body(&mut printer, sampler, &types, outputs);
         text += &self.definition(&format!("{name}_prepare"), &seen, Type::Struct(sampler), &printer.lines);
 
         // A sample of it.
@@ -486,13 +474,7 @@ impl Language {
         printer.line(&not_sampled);
         printer.line(&format!("    return {}no_sample();", self.prefix));
         printer.line("}");
-        printer.run();
-        printer.line(&self.result("sampled", "sample"));
-        let mut outputs = sample.outputs.iter();
-        for (name, of, _) in SAMPLE {
-            self.assign(&mut printer, &format!("sampled.{name}"), of, &mut outputs);
-        }
-        printer.line("return sampled;");
+        self.body(&mut printer, "sample", &SAMPLE.map(|(_, of, _)| of), &sample.outputs);
         let parameters = [&prepared[..], &random].concat();
         text +=
             &self.definition(&format!("{name}_sample"), &parameters, Type::Struct("sample"), &printer.lines);
@@ -541,20 +523,27 @@ impl Language {
         text
     }
 
-    /// Assigns the next outputs to a number or a vector.
-    fn assign<'v>(
-        &self,
-        printer: &mut Printer,
-        place: &str,
-        of: Type,
-        outputs: &mut impl Iterator<Item = &'v Value>,
-    ) {
-        let mut next = || printer.whole(*outputs.next().expect("there are as many"));
-        let lines = match of {
-            Type::Vector => self.store(place, [next(), next(), next()]),
-            _ => vec![format!("{place} = {};", next())],
+    /// The statements of a function that gives a struct.
+    fn body(&self, printer: &mut Printer, of: &'static str, types: &[Type], mut outputs: &[Value]) {
+        let mut fields = Vec::new();
+        for of in types {
+            let (field, rest) = outputs.split_at(if *of == Type::Vector { 3 } else { 1 });
+            fields.push(field);
+            outputs = rest;
+        }
+        assert!(outputs.is_empty(), "a struct's vectors are given whole");
+        for field in &fields {
+            if let &[x, y, z] = *field {
+                printer.absorb([x, y, z]);
+            }
+        }
+        printer.run();
+        let value = |field: &&[Value]| match **field {
+            [x, y, z] => printer.vector([x, y, z]),
+            _ => printer.whole(field[0]),
         };
-        lines.iter().for_each(|line| printer.line(line));
+        let values = fields.iter().map(value).collect();
+        self.returned(of, values).iter().for_each(|line| printer.line(line));
     }
 
     fn definition(&self, name: &str, parameters: &[(&str, Type)], result: Type, body: &str) -> String {

@@ -294,7 +294,7 @@ impl Graph {
 }
 
 /// What an item gives to others.
-fn gives(item: &Item) -> Vec<Value> {
+pub(super) fn gives(item: &Item) -> Vec<Value> {
     match item {
         Item::Op(value) => vec![*value],
         Item::If(conditional) => conditional.merges.iter().map(|merge| merge.out).collect(),

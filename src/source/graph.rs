@@ -228,6 +228,12 @@ impl State {
                 if let Some(negated) = self.operands(a, Op::Not) {
                     return self.op(Op::Select, &[negated[0], c, b]);
                 }
+                // A number or what a scale makes of it: times 1 or the scale.
+                if let Some(product) = self.operands(c, Op::Mul).filter(|product| product[0] == b) {
+                    let one = self.make(Kind::Number(1.0_f32.to_bits()), vec![]);
+                    let scale = self.op(Op::Select, &[a, one, product[1]]);
+                    return self.op(Op::Mul, &[b, scale]);
+                }
                 if let Some(compared) = self.operands(a, Op::Lt) {
                     if compared == [b, c] {
                         return self.make(Kind::Min, vec![b, c]);

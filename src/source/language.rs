@@ -37,6 +37,8 @@ pub(super) struct Language {
     pub function: &'static str,
     pub guard: Guard,
     pub has_question_mark: bool,
+    /// Whether the name of a struct makes one of its fields' values.
+    pub has_constructors: bool,
     /// Whether constants may be computed when the program runs: in GLSL not before 4.20.
     pub has_late_constants: bool,
     pub suffix: &'static str,
@@ -57,6 +59,16 @@ impl Language {
         format!("{value:?}{}", self.suffix)
     }
 
+    /// C, C++ and CUDA, whose `min` and `max` give a number where the other is none.
+    pub(super) fn is_c_like(&self) -> bool {
+        self.is_c || self.guard == Guard::Intrinsics
+    }
+
+    /// Whether vectors can be multiplied and added.
+    pub(super) fn has_vectors(&self) -> bool {
+        !self.is_c_like()
+    }
+
     pub(super) fn function(&self, kind: Kind) -> String {
         let own = |name| format!("{}{name}", self.prefix);
         match kind {
@@ -66,8 +78,10 @@ impl Language {
             Kind::Op(Op::PowerOfTwo) => own("power_of_two"),
             Kind::Op(Op::Bits) => own("bits"),
             Kind::Op(Op::FloatOfBits) => own("float_of_bits"),
-            Kind::Min => own("min"),
-            Kind::Max => own("max"),
+            Kind::Min if self.is_c_like() => own("min"),
+            Kind::Max if self.is_c_like() => own("max"),
+            Kind::Min => "min".to_owned(),
+            Kind::Max => "max".to_owned(),
             Kind::Lost => own("lost"),
             _ => unreachable!("this is no function"),
         }
@@ -98,23 +112,55 @@ impl Language {
         }
     }
 
-    /// One that does not.
-    pub(super) fn variable(&self, name: &str, is_mask: bool) -> String {
-        let zero = if is_mask { "false".to_owned() } else { self.number(0) };
+    /// One that is a vector.
+    pub(super) fn vector_constant(&self, name: &str, value: &str) -> String {
         if self.is_wgsl {
-            format!("var {name} = {zero};")
+            format!("let {name} = {value};")
         } else {
-            format!("{} {name} = {zero};", self.plain(if is_mask { Type::Truth } else { Type::Number }))
+            format!("{} {name} = {value};", self.plain(Type::Vector))
         }
     }
 
-    /// One of a struct.
-    pub(super) fn result(&self, name: &str, of: &'static str) -> String {
+    /// Those that do not: each with its name, whether it is true or false, and whether it starts at zero.
+    pub(super) fn variables(&self, variables: &[(String, bool, bool)]) -> Vec<String> {
+        let mut lines = Vec::new();
+        for (is_mask, starts_at_zero) in [(false, false), (false, true), (true, false), (true, true)] {
+            let of = self.plain(if is_mask { Type::Truth } else { Type::Number });
+            let zero = if is_mask { "false".to_owned() } else { self.number(0) };
+            let alike = variables.iter().filter(|(_, mask, zero)| [*mask, *zero] == [is_mask, starts_at_zero]);
+            let names = alike.map(|(name, ..)| match (starts_at_zero, self.is_wgsl) {
+                (true, _) => format!("{name} = {zero}"),
+                (false, true) => format!("{name}: {of}"),
+                (false, false) => name.clone(),
+            });
+            if self.is_wgsl {
+                lines.extend(names.map(|name| format!("var {name};")));
+            } else {
+                lines.extend(filled(names, 90).into_iter().map(|names| format!("{of} {names};")));
+            }
+        }
+        lines
+    }
+
+    /// Statements that return a struct with these values.
+    pub(super) fn returned(&self, of: &'static str, values: Vec<String>) -> Vec<String> {
         let of = self.plain(Type::Struct(of));
-        if self.is_wgsl {
-            format!("var {name}: {of};")
+        let values = filled(values.into_iter(), 100).join(",\n        ");
+        if self.has_constructors {
+            vec![format!("return {of}("), format!("    {values}"), ");".to_owned()]
         } else {
-            format!("{of} {name};")
+            let constant = if self.has_late_constants { "const " } else { "" };
+            let first = format!("{constant}{of} result = {{");
+            vec![first, format!("    {values}"), "};".to_owned(), "return result;".to_owned()]
+        }
+    }
+
+    /// A vector.
+    pub(super) fn vector(&self, [x, y, z]: [String; 3]) -> String {
+        if self.is_c {
+            format!("{{{x}, {y}, {z}}}")
+        } else {
+            format!("{}({x}, {y}, {z})", self.vector)
         }
     }
 
@@ -181,16 +227,18 @@ impl Language {
             "uint unknown_zero = asuint(radius) & 0x80000000u;"
         }
     }
+}
 
-    /// Statements that store a vector.
-    pub(super) fn store(&self, place: &str, [x, y, z]: [String; 3]) -> Vec<String> {
-        if self.is_c {
-            let lines = [x, y, z].into_iter().enumerate();
-            lines.map(|(i, value)| format!("{place}[{i}] = {value};")).collect()
-        } else {
-            vec![format!("{place} = {}({x}, {y}, {z});", self.vector)]
+/// Lists of at most so many characters, unless one item alone is longer.
+fn filled(items: impl Iterator<Item = String>, width: usize) -> Vec<String> {
+    let mut lines = Vec::<String>::new();
+    for item in items {
+        match lines.last_mut() {
+            Some(line) if line.len() + item.len() + 2 <= width => *line = format!("{line}, {item}"),
+            _ => lines.push(item),
         }
     }
+    lines
 }
 
 const C: Language = Language {
@@ -201,6 +249,7 @@ const C: Language = Language {
     function: "static inline ",
     guard: Guard::None,
     has_question_mark: true,
+    has_constructors: false,
     has_late_constants: true,
     suffix: "f",
     vector: "",
@@ -218,6 +267,7 @@ const GLSL: Language = Language {
     prefix: "spherecap_",
     function: "",
     guard: Guard::Precise,
+    has_constructors: true,
     has_late_constants: false,
     suffix: "",
     vector: "vec3",
@@ -232,6 +282,7 @@ const GLSL: Language = Language {
 const HLSL: Language = Language {
     file: "spherecap.hlsl",
     head: include_str!("heads/hlsl.hlsl"),
+    has_constructors: false,
     vector: "float3",
     fma: "mad",
     ..GLSL

@@ -4,15 +4,6 @@
 // {about}
 // Shader model 5.0 or later. Define SPHERECAP_FUSED_FMA where mad() rounds once, as on all desktop GPUs: fewer instructions.
 
-// The second where one is no number.
-float spherecap_min(float a, float b) {
-    return min(b, a);
-}
-
-float spherecap_max(float a, float b) {
-    return max(b, a);
-}
-
 // What rounding took off the product a b.
 float spherecap_lost(float a, float b, float product) {
 #ifdef SPHERECAP_FUSED_FMA
@@ -23,7 +14,9 @@ float spherecap_lost(float a, float b, float product) {
     precise float b_high = asfloat(asuint(b) & 0xfffff000u);
     precise float a_low = a - a_high;
     precise float b_low = b - b_high;
-    precise float lost = ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+    // `precise` reaches sums and products, not mad(): two of those in a row could be factored.
+    precise float rest = mad(a_high, b_high, -product) + a_high * b_low;
+    precise float lost = mad(a_low, b_high, rest) + a_low * b_low;
 #endif
     return lost;
 }

@@ -6,15 +6,6 @@ fn spherecap_keep(a: f32, unknown_zero: u32) -> f32 {
     return bitcast<f32>(bitcast<u32>(a) | unknown_zero);
 }
 
-// The second where one is no number.
-fn spherecap_min(a: f32, b: f32) -> f32 {
-    return min(b, a);
-}
-
-fn spherecap_max(a: f32, b: f32) -> f32 {
-    return max(b, a);
-}
-
 // What rounding took off the product a b: products of halves are exact (Dekker).
 fn spherecap_lost(a: f32, b: f32, product: f32, unknown_zero: u32) -> f32 {
     let a_high = bitcast<f32>(bitcast<u32>(a) & 0xfffff000u);
