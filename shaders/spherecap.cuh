@@ -304,53 +304,53 @@ static __device__ inline spherecap_sample spherecap_surface_sample(spherecap_sur
     const float t8 = 1.0f - t5;
     const float t9 = t5 - t8;
     const float t10 = 4.0f * t5 * t8;
-    float t11, t12, t13, t14;
+    const float t11 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t12 = t2 ? spherecap_min(t11, 0.99999994f) : t4;
+    const float t13 = t2 ? light.beyond : 0.0f;
+    const float t14 = 3.1415927f - t13;
+    const float t15 = fmaf(t12, t14, t13);
+    const float t16 = (1.0f - t12) * t14;
+    float t18, t19, t20;
+    float t17 = 0.0f;
     if (t7) {
-        const float t15 = spherecap_max((t4 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-        const float t16 = t2 ? spherecap_min(t15, 0.99999994f) : t4;
-        const float t17 = t2 ? light.beyond : 0.0f;
-        const float t18 = 3.1415927f - t17;
-        const float t19 = fmaf(t16, t18, t17);
-        const float t20 = (1.0f - t16) * t18;
-        t11 = spherecap_min(t19, t20) * 0.53033006f;
-        t12 = 1.0f;
-        t13 = 1.0f;
-        t14 = t19 - t20;
+        t18 = spherecap_min(t15, t16) * 0.53033006f;
+        t19 = 1.0f;
+        t20 = 1.0f;
     } else {
         const float t21 = sqrtf(t10);
         const float t22 = fmaf(fmaf(fmaf(light.b_6, t10, light.b_4), t10, light.b_2), t10, light.b_0);
         const float t23 = t21 * fmaf(fmaf(fmaf(light.b_5, t10, light.b_3), t10, light.b_1), t21, t22);
         const float t24 = sqrtf(fmaf(t9, t9, t23 * t23));
         const float t25 = light.tau * t23;
-        t13 = t3 ? fmaf(t9, t9, t25 * t25) : 1.0f;
+        t20 = t3 ? fmaf(t9, t9, t25 * t25) : 1.0f;
         const float t26 = t3 ? fmaf(light.kappa, t23, t24) * fmaf(light.cut, t23, t24) : light.crescent_share;
         const float t27 = (t3 ? light.width : t4) / t26;
         const float t28 = t3 ? t27 : light.width;
-        const float t29 = t13 * t28;
+        const float t29 = t20 * t28;
         const float t30 = t29 * t29;
         const float t31 = fmaf(fmaf(fmaf(-0.00060778117f, t30, -0.0027203285f), t30, -0.10000902f), t29, fmaf(fmaf(1.0676054e-5f, t30, -0.011332183f), t30, 1.0000001f));
-        t11 = t3 ? t4 : spherecap_min(spherecap_max(t27, 5.9604645e-8f), 0.99999994f);
-        t12 = t28 * t31;
-        t14 = t3 ? t25 : t21;
+        t17 = t3 ? t25 : t21;
+        t18 = t3 ? t4 : spherecap_min(spherecap_max(t27, 5.9604645e-8f), 0.99999994f);
+        t19 = t28 * t31;
     }
-    const float t32 = spherecap_float_of_bits(fmaf(spherecap_bits(t11), -0.33333334f, 1419900500.0f));
-    const float t33 = fmaf(-(t11 * t32), t32 * t32, 1.0f);
+    const float t32 = spherecap_float_of_bits(fmaf(spherecap_bits(t18), -0.33333334f, 1419900500.0f));
+    const float t33 = fmaf(-(t18 * t32), t32 * t32, 1.0f);
     const float t34 = t33 * t33;
     const float t35 = fmaf(fmaf(fmaf(0.110958695f, t34, 0.14403293f), t34, 0.22222222f), t33, fmaf(fmaf(0.12482853f, t34, 0.17283951f), t34, 0.33333334f));
-    const float t36 = t12 * (t11 * fmaf(t32, t33 * t35, t32));
-    const float t37 = t36 * t13;
+    const float t36 = t19 * (t18 * fmaf(t32, t33 * t35, t32));
+    const float t37 = t36 * t20;
     const float t38 = t37 * t37;
     const float t39 = fmaf(fmaf(fmaf(-0.063446075f, t38, -0.056249518f), t38, 0.0074712755f), t38, 0.09996679f);
     const float t40 = fmaf(fmaf(fmaf(0.022114987f, t38, 0.085662976f), t38, 0.030445365f), t38, 0.03209764f);
     const float t41 = t36 * fmaf(t39, t37, fmaf(t40, t38, 1.0000004f));
     const float t42 = t7 ? spherecap_min(t41, 1.0f) : t41;
-    const float t43 = t13 * t42;
+    const float t43 = t20 * t42;
     const float t44 = 2.0f - t43;
     const float t45 = t42 * t44;
     const float t46 = sqrtf(t45);
     float zenith, side, cosine, t47;
     if (t7) {
-        const float t48 = t14 < 0.0f ? t43 : t44;
+        const float t48 = t15 - t16 < 0.0f ? t43 : t44;
         const float t49 = t45 * t10;
         const float t50 = 1.0f - t48;
         const float t51 = spherecap_max(fmaf(light.climb, t48, -light.rise), 0.0f);
@@ -361,7 +361,7 @@ static __device__ inline spherecap_sample spherecap_surface_sample(spherecap_sur
         side = light.radius_sin * t46 * t9;
         t47 = fmaf(light.half_axis, t50, light.middle);
     } else {
-        cosine = t46 * t14;
+        cosine = t46 * t17;
         t47 = 1.0f - t43;
         zenith = fmaf(light.elevation_cos, cosine, -((t3 ? -t1 : t1) * t47));
         side = t46 * t9;
@@ -473,7 +473,7 @@ struct spherecap_front_light {
     float width;
     float cut;
     float rise;
-    float defensive;
+    float defensive_share;
     float requested;
     float inv_above;
     float3 third_axis;
@@ -660,60 +660,60 @@ static __device__ inline spherecap_front_light spherecap_front_prepare(float3 no
     const float inv_above = 0.0f < projected_above ? 1.0f / projected_above : 0.0f;
     const bool t102 = 0.0f < inv_above;
     const float t103 = t97 ? inv_above : 0.0f;
-    const float t104 = t102 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
-    const bool t105 = t101 && t97 && 0.0f < t103;
-    const float t106 = t_y * t_y * t_y * shape * t103;
-    const float t107 = t_y / radius_sin;
-    const float beyond = t105 ? t107 * t107 * t107 * fmaf(cut - t_x, shape_difference, shape) : 0.0f;
+    const float defensive_share = t102 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
+    const bool t104 = t101 && t97 && 0.0f < t103;
+    const float t105 = t_y * t_y * t_y * shape * t103;
+    const float t106 = t_y / radius_sin;
+    const float beyond = t104 ? t106 * t106 * t106 * fmaf(cut - t_x, shape_difference, shape) : 0.0f;
     float b_0 = 0.0f, b_1 = 0.0f, b_2 = 0.0f, b_3 = 0.0f, b_4 = 0.0f, b_5 = 0.0f, b_6 = 0.0f;
     if (t101 && !t97) {
-        const float t108 = 1.0f + kappa;
-        const float t109 = t108 * shape;
-        const float t110 = 1.0f / (norm * t109);
-        const float t111 = sqrtf(t110);
-        b_0 = norm * t111;
-        const float t112 = 1.0f / (1.0f + cut);
-        const float t113 = (t_x + kappa) * t112 - 0.5f;
-        const float t114 = t113 * t113;
-        const float t115 = fmaf(fmaf(fmaf(-0.026061837f, t114, -0.06372378f), t114, -0.11762552f), t114, -0.23594604f);
-        const float t116 = fmaf(fmaf(fmaf(0.05430631f, t114, 0.080950715f), t114, 0.1684019f), t114, 0.32709444f);
-        const float t117 = fmaf(fmaf(fmaf(t115, t114, -0.44721135f), t114, -0.7754678f), t113, fmaf(fmaf(t116, t114, 0.5987523f), t114, 0.94559944f));
-        const float t118 = t108 * t117 * (t112 * t112 * t112) * (t109 * t110);
-        const float t119 = fmaf(t118, t109 * t111, -1.0f);
-        const float t120 = 1.0f - t118;
-        const float t121 = fmaf(fmaf(30.011856f, t119, fmaf(-41.541264f, t120, -37.009792f)), t119, fmaf(77.96775f, t120, 7.470758f));
-        const float t122 = fmaf(t121, t119, fmaf(fmaf(-49.13454f, t120, -9.466533f), t120, -1.5877596f));
-        const float t123 = fmaf(fmaf(fmaf(15.716111f, t120, 0.0f), t120, 9.961183f), t120, -2.61785f);
-        const float t124 = t119 * fmaf(t122, t119, fmaf(t123, t120, 0.8681748f));
-        const float t125 = fmaf(fmaf(7.295638f, t119, -7.236236f), t119, fmaf(fmaf(fmaf(-11.4868555f, t120, 0.0f), t120, 0.0f), t120, 3.1255686f));
-        const float t126 = fmaf(fmaf(fmaf(13.728438f, t120, -7.981878f), t120, 2.025724f), t120, -0.7334958f);
-        const float t127 = t119 * fmaf(t125, t119, t126);
-        const float t128 = fmaf(fmaf(fmaf(9.986537f, t120, 25.22195f), t120, 0.0f), t120, -2.9581387f);
-        const float t129 = fmaf(fmaf(fmaf(-19.722994f, t120, 4.6594768f), t120, -0.89538246f), t120, 0.5143498f);
-        const float t130 = t119 * fmaf(fmaf(fmaf(-23.220068f, t120, 7.332055f), t119, t128), t119, t129);
-        const float t131 = fmaf(fmaf(fmaf(1.946617f, t119, -3.077631f), t119, 1.4945927f), t119, -0.24140751f);
-        const float t132 = t119 * t131;
-        const float t133 = t119 * fmaf(fmaf(0.38173297f, t119, -0.30305624f), t119, 0.05897375f);
-        b_1 = t118 - b_0 + t124;
-        b_2 = t127 - t124;
-        b_3 = t130 - t127;
-        b_4 = t132 - t130;
-        b_5 = t133 - t132;
-        b_6 = -t133;
+        const float t107 = 1.0f + kappa;
+        const float t108 = t107 * shape;
+        const float t109 = 1.0f / (norm * t108);
+        const float t110 = sqrtf(t109);
+        b_0 = norm * t110;
+        const float t111 = 1.0f / (1.0f + cut);
+        const float t112 = (t_x + kappa) * t111 - 0.5f;
+        const float t113 = t112 * t112;
+        const float t114 = fmaf(fmaf(fmaf(-0.026061837f, t113, -0.06372378f), t113, -0.11762552f), t113, -0.23594604f);
+        const float t115 = fmaf(fmaf(fmaf(0.05430631f, t113, 0.080950715f), t113, 0.1684019f), t113, 0.32709444f);
+        const float t116 = fmaf(fmaf(fmaf(t114, t113, -0.44721135f), t113, -0.7754678f), t112, fmaf(fmaf(t115, t113, 0.5987523f), t113, 0.94559944f));
+        const float t117 = t107 * t116 * (t111 * t111 * t111) * (t108 * t109);
+        const float t118 = fmaf(t117, t108 * t110, -1.0f);
+        const float t119 = 1.0f - t117;
+        const float t120 = fmaf(fmaf(30.011856f, t118, fmaf(-41.541264f, t119, -37.009792f)), t118, fmaf(77.96775f, t119, 7.470758f));
+        const float t121 = fmaf(t120, t118, fmaf(fmaf(-49.13454f, t119, -9.466533f), t119, -1.5877596f));
+        const float t122 = fmaf(fmaf(fmaf(15.716111f, t119, 0.0f), t119, 9.961183f), t119, -2.61785f);
+        const float t123 = t118 * fmaf(t121, t118, fmaf(t122, t119, 0.8681748f));
+        const float t124 = fmaf(fmaf(7.295638f, t118, -7.236236f), t118, fmaf(fmaf(fmaf(-11.4868555f, t119, 0.0f), t119, 0.0f), t119, 3.1255686f));
+        const float t125 = fmaf(fmaf(fmaf(13.728438f, t119, -7.981878f), t119, 2.025724f), t119, -0.7334958f);
+        const float t126 = t118 * fmaf(t124, t118, t125);
+        const float t127 = fmaf(fmaf(fmaf(9.986537f, t119, 25.22195f), t119, 0.0f), t119, -2.9581387f);
+        const float t128 = fmaf(fmaf(fmaf(-19.722994f, t119, 4.6594768f), t119, -0.89538246f), t119, 0.5143498f);
+        const float t129 = t118 * fmaf(fmaf(fmaf(-23.220068f, t119, 7.332055f), t118, t127), t118, t128);
+        const float t130 = fmaf(fmaf(fmaf(1.946617f, t118, -3.077631f), t118, 1.4945927f), t118, -0.24140751f);
+        const float t131 = t118 * t130;
+        const float t132 = t118 * fmaf(fmaf(0.38173297f, t118, -0.30305624f), t118, 0.05897375f);
+        b_1 = t117 - b_0 + t123;
+        b_2 = t126 - t123;
+        b_3 = t129 - t126;
+        b_4 = t131 - t129;
+        b_5 = t132 - t131;
+        b_6 = -t132;
     }
-    const bool t134 = 0.0f < t104;
-    const float t135 = (0.0f < radius_cos && t99) ? t96 / (1.0f + radius_cos) : 0.0f;
-    const float inv_solid_angle = t134 ? (0.0f < t135 ? 0.15915494f / t135 : 0.0f) : 0.0f;
-    const bool t136 = 0.0f < inv_solid_angle && t134;
-    const bool t137 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t102 || t136);
+    const bool t133 = 0.0f < defensive_share;
+    const float t134 = (0.0f < radius_cos && t99) ? t96 / (1.0f + radius_cos) : 0.0f;
+    const float inv_solid_angle = t133 ? (0.0f < t134 ? 0.15915494f / t134 : 0.0f) : 0.0f;
+    const bool t135 = 0.0f < inv_solid_angle && t133;
+    const bool t136 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t102 || t135);
     const spherecap_front_light result = {
-        t137, t137 ? t135 * 6.2831855f : 0.0f, t137 ? projected_above : 0.0f,
+        t136, t136 ? t134 * 6.2831855f : 0.0f, t136 ? projected_above : 0.0f,
         make_float3(t13 * t94, t14 * t94, t15 * t94), make_float3(sideways_x, sideways_y, sideways_z),
         make_float3(normal_x, normal_y, normal_z), make_float3(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t104, defensive,
-        inv_above,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
+        defensive, inv_above,
         make_float3(fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))),
-        t134 ? t135 : 0.0f, inv_solid_angle, t105 ? t106 : 0.0f, t105 ? 1.0f / (1.0f - t106) : 1.0f, beyond,
+        t133 ? t134 : 0.0f, inv_solid_angle, t104 ? t105 : 0.0f, t104 ? 1.0f / (1.0f - t105) : 1.0f, beyond,
         elevation_cos * radius_cos, radius_sin * t95, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     };
     return result;
@@ -724,13 +724,13 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
         return spherecap_no_sample();
     }
     const float t1 = fabsf(light.elevation_sin);
-    const bool t2 = 0.0f < light.defensive;
+    const bool t2 = 0.0f < light.defensive_share;
     const float t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8f), 0.99999994f);
     const float t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t5 = t3 < light.defensive && t2;
-    const float t6 = 1.0f - light.defensive;
-    const float t7 = spherecap_max((t5 ? t3 : t3 - light.defensive) / (t5 ? light.defensive : t6), 5.9604645e-8f);
-    const float t8 = 0.0f < light.requested ? spherecap_min(t7, 0.99999994f) : t3;
+    const bool t5 = t3 < light.defensive_share && t2;
+    const float t6 = 1.0f - light.defensive_share;
+    const float t7 = (t5 ? t3 : t3 - light.defensive_share) / (t5 ? light.defensive_share : t6);
+    const float t8 = 0.0f < light.requested ? spherecap_min(spherecap_max(t7, 5.9604645e-8f), 0.99999994f) : t3;
     const bool t9 = !(0.0f < light.tau) || t5;
     const bool t10 = !(0.0f < light.elevation_sin) && !t9;
     const bool t11 = light.crescent_share <= t8 && !t10;
@@ -738,53 +738,53 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
     const float t13 = 1.0f - t4;
     const float t14 = t4 - t13;
     const float t15 = 4.0f * t4 * t13;
-    float t16, t17, t18, t19;
+    const float t16 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t17 = t9 ? t8 : spherecap_min(t16, 0.99999994f);
+    const float t18 = t9 ? 0.0f : light.beyond;
+    const float t19 = 3.1415927f - t18;
+    const float t20 = fmaf(t17, t19, t18);
+    const float t21 = (1.0f - t17) * t19;
+    float t23, t24, t25;
+    float t22 = 0.0f;
     if (t12) {
-        const float t20 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-        const float t21 = t9 ? t8 : spherecap_min(t20, 0.99999994f);
-        const float t22 = t9 ? 0.0f : light.beyond;
-        const float t23 = 3.1415927f - t22;
-        const float t24 = fmaf(t21, t23, t22);
-        const float t25 = (1.0f - t21) * t23;
-        t16 = spherecap_min(t24, t25) * 0.53033006f;
-        t17 = 1.0f;
-        t18 = 1.0f;
-        t19 = t24 - t25;
+        t23 = spherecap_min(t20, t21) * 0.53033006f;
+        t24 = 1.0f;
+        t25 = 1.0f;
     } else {
         const float t26 = sqrtf(t15);
         const float t27 = fmaf(fmaf(fmaf(light.b_6, t15, light.b_4), t15, light.b_2), t15, light.b_0);
         const float t28 = t26 * fmaf(fmaf(fmaf(light.b_5, t15, light.b_3), t15, light.b_1), t26, t27);
         const float t29 = sqrtf(fmaf(t14, t14, t28 * t28));
         const float t30 = light.tau * t28;
-        t18 = t10 ? fmaf(t14, t14, t30 * t30) : 1.0f;
+        t25 = t10 ? fmaf(t14, t14, t30 * t30) : 1.0f;
         const float t31 = t10 ? fmaf(light.kappa, t28, t29) * fmaf(light.cut, t28, t29) : light.crescent_share;
         const float t32 = (t10 ? light.width : t8) / t31;
         const float t33 = t10 ? t32 : light.width;
-        const float t34 = t18 * t33;
+        const float t34 = t25 * t33;
         const float t35 = t34 * t34;
         const float t36 = fmaf(fmaf(fmaf(-0.00060778117f, t35, -0.0027203285f), t35, -0.10000902f), t34, fmaf(fmaf(1.0676054e-5f, t35, -0.011332183f), t35, 1.0000001f));
-        t16 = t10 ? t8 : spherecap_min(spherecap_max(t32, 5.9604645e-8f), 0.99999994f);
-        t17 = t33 * t36;
-        t19 = t10 ? t30 : t26;
+        t22 = t10 ? t30 : t26;
+        t23 = t10 ? t8 : spherecap_min(spherecap_max(t32, 5.9604645e-8f), 0.99999994f);
+        t24 = t33 * t36;
     }
-    const float t37 = spherecap_float_of_bits(fmaf(spherecap_bits(t16), -0.33333334f, 1419900500.0f));
-    const float t38 = fmaf(-(t16 * t37), t37 * t37, 1.0f);
+    const float t37 = spherecap_float_of_bits(fmaf(spherecap_bits(t23), -0.33333334f, 1419900500.0f));
+    const float t38 = fmaf(-(t23 * t37), t37 * t37, 1.0f);
     const float t39 = t38 * t38;
     const float t40 = fmaf(fmaf(fmaf(0.110958695f, t39, 0.14403293f), t39, 0.22222222f), t38, fmaf(fmaf(0.12482853f, t39, 0.17283951f), t39, 0.33333334f));
-    const float t41 = t17 * (t16 * fmaf(t37, t38 * t40, t37));
-    const float t42 = t41 * t18;
+    const float t41 = t24 * (t23 * fmaf(t37, t38 * t40, t37));
+    const float t42 = t41 * t25;
     const float t43 = t42 * t42;
     const float t44 = fmaf(fmaf(fmaf(-0.063446075f, t43, -0.056249518f), t43, 0.0074712755f), t43, 0.09996679f);
     const float t45 = fmaf(fmaf(fmaf(0.022114987f, t43, 0.085662976f), t43, 0.030445365f), t43, 0.03209764f);
     const float t46 = t41 * fmaf(t44, t42, fmaf(t45, t43, 1.0000004f));
     const float t47 = t12 ? spherecap_min(t46, 1.0f) : t46;
-    const float t48 = t18 * t47;
+    const float t48 = t25 * t47;
     const float t49 = 2.0f - t48;
     const float t50 = t47 * t49;
     const float t51 = sqrtf(t50);
     float zenith, side, cosine, t52, t53;
     if (t12) {
-        const float t54 = t19 < 0.0f ? t48 : t49;
+        const float t54 = t20 - t21 < 0.0f ? t48 : t49;
         const float t55 = t50 * t15;
         if (t5) {
             const float t56 = light.height * (1.0f - t55);
@@ -807,7 +807,7 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
             cosine = t53;
         }
     } else {
-        cosine = t51 * t19;
+        cosine = t51 * t22;
         t52 = 1.0f - t48;
         zenith = fmaf(light.elevation_cos, cosine, -((t10 ? -t1 : t1) * t52));
         side = t51 * t14;
@@ -815,7 +815,7 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
     }
     const float t63 = spherecap_min(fabsf(cosine), 3.4028235e38f);
     const float t64 = 0.0f < cosine ? light.inv_above : 0.0f;
-    const float t65 = light.defensive * light.inv_solid_angle;
+    const float t65 = light.defensive_share * light.inv_solid_angle;
     const float t66 = fmaf(t64, t6, spherecap_min(t65 / spherecap_max(t63, 1.1754944e-38f), 3.4028235e38f));
     const float t67 = fmaf(zenith, zenith, side * side);
     const float t68 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t67), 0.0f);
@@ -862,10 +862,10 @@ static __device__ inline float spherecap_front_pdf_direction(spherecap_front_lig
     const float t9 = t7 ? 1.0f : t5;
     const float t10 = spherecap_min(fabsf(t6), 3.4028235e38f);
     const float t11 = 0.0f < t6 ? light.inv_above : 0.0f;
-    const float t12 = fmaf(t11, (1.0f - light.defensive) * t10, light.defensive * light.inv_solid_angle);
+    const float t12 = fmaf(t11, (1.0f - light.defensive_share) * t10, light.defensive_share * light.inv_solid_angle);
     const bool t13 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
     const float t14 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light.defensive ? t12 : t11 * t10) : 0.0f) : 0.0f;
+    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light.defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
     return t15;
 }
 
@@ -876,9 +876,9 @@ static __device__ inline float spherecap_front_pdf_on_sphere(spherecap_front_lig
     const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = spherecap_min(fabsf(t1), 3.4028235e38f);
     const float t3 = 0.0f < t1 ? light.inv_above : 0.0f;
-    const float t4 = fmaf(t3, (1.0f - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    const float t4 = fmaf(t3, (1.0f - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
     const float t5 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light.defensive ? t4 : t3 * t2) : 0.0f;
+    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light.defensive_share ? t4 : t3 * t2) : 0.0f;
     return t6;
 }
 
@@ -945,11 +945,11 @@ struct spherecap_both_light {
     float width;
     float cut;
     float rise;
-    float defensive;
+    float defensive_share;
     float requested;
     float inv_above;
     float inv_below;
-    float share_above;
+    float sides_share;
     float3 third_axis;
     float height;
     float inv_solid_angle;
@@ -1139,82 +1139,82 @@ static __device__ inline spherecap_both_light spherecap_both_prepare(float3 norm
     const float inv_below = 0.0f < projected_below ? 1.0f / projected_below : 0.0f;
     const bool t105 = 0.0f < inv_above + inv_below;
     const float t106 = t98 ? inv_above : inv_below;
-    const float t107 = t105 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
-    const bool t108 = 0.0f < t106 && t104;
-    const float t109 = t_y * t_y * t_y * shape * t106;
-    const float t110 = t_y / radius_sin;
-    const float t111 = fmaf(cut - t_x, shape_difference, shape);
+    const float defensive_share = t105 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
+    const bool t107 = 0.0f < t106 && t104;
+    const float t108 = t_y * t_y * t_y * shape * t106;
+    const float t109 = t_y / radius_sin;
+    const float t110 = fmaf(cut - t_x, shape_difference, shape);
     float b_0 = 0.0f, b_1 = 0.0f, b_2 = 0.0f, b_3 = 0.0f, b_4 = 0.0f, b_5 = 0.0f, b_6 = 0.0f;
-    float t112 = 0.0f;
+    float t111 = 0.0f;
     if (t104) {
-        const float t113 = 1.0f + kappa;
-        const float t114 = t113 * shape;
-        const float t115 = 1.0f / (norm * t114);
-        const float t116 = sqrtf(t115);
-        b_0 = norm * t116;
-        const float t117 = 1.0f / (1.0f + cut);
-        const float t118 = (t_x + kappa) * t117 - 0.5f;
-        const float t119 = t118 * t118;
-        const float t120 = fmaf(fmaf(fmaf(-0.026061837f, t119, -0.06372378f), t119, -0.11762552f), t119, -0.23594604f);
-        const float t121 = fmaf(fmaf(fmaf(0.05430631f, t119, 0.080950715f), t119, 0.1684019f), t119, 0.32709444f);
-        const float t122 = fmaf(fmaf(fmaf(t120, t119, -0.44721135f), t119, -0.7754678f), t118, fmaf(fmaf(t121, t119, 0.5987523f), t119, 0.94559944f));
-        const float t123 = t113 * t122 * (t117 * t117 * t117) * (t114 * t115);
-        const float t124 = fmaf(t123, t114 * t116, -1.0f);
-        const float t125 = 1.0f - t123;
-        const float t126 = fmaf(fmaf(30.011856f, t124, fmaf(-41.541264f, t125, -37.009792f)), t124, fmaf(77.96775f, t125, 7.470758f));
-        const float t127 = fmaf(t126, t124, fmaf(fmaf(-49.13454f, t125, -9.466533f), t125, -1.5877596f));
-        const float t128 = fmaf(fmaf(fmaf(15.716111f, t125, 0.0f), t125, 9.961183f), t125, -2.61785f);
-        const float t129 = t124 * fmaf(t127, t124, fmaf(t128, t125, 0.8681748f));
-        const float t130 = fmaf(fmaf(7.295638f, t124, -7.236236f), t124, fmaf(fmaf(fmaf(-11.4868555f, t125, 0.0f), t125, 0.0f), t125, 3.1255686f));
-        const float t131 = fmaf(fmaf(fmaf(13.728438f, t125, -7.981878f), t125, 2.025724f), t125, -0.7334958f);
-        const float t132 = t124 * fmaf(t130, t124, t131);
-        const float t133 = fmaf(fmaf(fmaf(9.986537f, t125, 25.22195f), t125, 0.0f), t125, -2.9581387f);
-        const float t134 = fmaf(fmaf(fmaf(-19.722994f, t125, 4.6594768f), t125, -0.89538246f), t125, 0.5143498f);
-        const float t135 = t124 * fmaf(fmaf(fmaf(-23.220068f, t125, 7.332055f), t124, t133), t124, t134);
-        const float t136 = fmaf(fmaf(fmaf(1.946617f, t124, -3.077631f), t124, 1.4945927f), t124, -0.24140751f);
-        const float t137 = t124 * t136;
-        const float t138 = t124 * fmaf(fmaf(0.38173297f, t124, -0.30305624f), t124, 0.05897375f);
-        const float t139 = 1.0f / (elevation_cos * elevation_cos);
-        const float t140 = tau * tau;
-        const float t141 = t140 * t139 / (1.0f + t_x);
-        const float t142 = kappa - 0.5f;
-        const float t143 = cut - 0.5f;
+        const float t112 = 1.0f + kappa;
+        const float t113 = t112 * shape;
+        const float t114 = 1.0f / (norm * t113);
+        const float t115 = sqrtf(t114);
+        b_0 = norm * t115;
+        const float t116 = 1.0f / (1.0f + cut);
+        const float t117 = (t_x + kappa) * t116 - 0.5f;
+        const float t118 = t117 * t117;
+        const float t119 = fmaf(fmaf(fmaf(-0.026061837f, t118, -0.06372378f), t118, -0.11762552f), t118, -0.23594604f);
+        const float t120 = fmaf(fmaf(fmaf(0.05430631f, t118, 0.080950715f), t118, 0.1684019f), t118, 0.32709444f);
+        const float t121 = fmaf(fmaf(fmaf(t119, t118, -0.44721135f), t118, -0.7754678f), t117, fmaf(fmaf(t120, t118, 0.5987523f), t118, 0.94559944f));
+        const float t122 = t112 * t121 * (t116 * t116 * t116) * (t113 * t114);
+        const float t123 = fmaf(t122, t113 * t115, -1.0f);
+        const float t124 = 1.0f - t122;
+        const float t125 = fmaf(fmaf(30.011856f, t123, fmaf(-41.541264f, t124, -37.009792f)), t123, fmaf(77.96775f, t124, 7.470758f));
+        const float t126 = fmaf(t125, t123, fmaf(fmaf(-49.13454f, t124, -9.466533f), t124, -1.5877596f));
+        const float t127 = fmaf(fmaf(fmaf(15.716111f, t124, 0.0f), t124, 9.961183f), t124, -2.61785f);
+        const float t128 = t123 * fmaf(t126, t123, fmaf(t127, t124, 0.8681748f));
+        const float t129 = fmaf(fmaf(7.295638f, t123, -7.236236f), t123, fmaf(fmaf(fmaf(-11.4868555f, t124, 0.0f), t124, 0.0f), t124, 3.1255686f));
+        const float t130 = fmaf(fmaf(fmaf(13.728438f, t124, -7.981878f), t124, 2.025724f), t124, -0.7334958f);
+        const float t131 = t123 * fmaf(t129, t123, t130);
+        const float t132 = fmaf(fmaf(fmaf(9.986537f, t124, 25.22195f), t124, 0.0f), t124, -2.9581387f);
+        const float t133 = fmaf(fmaf(fmaf(-19.722994f, t124, 4.6594768f), t124, -0.89538246f), t124, 0.5143498f);
+        const float t134 = t123 * fmaf(fmaf(fmaf(-23.220068f, t124, 7.332055f), t123, t132), t123, t133);
+        const float t135 = fmaf(fmaf(fmaf(1.946617f, t123, -3.077631f), t123, 1.4945927f), t123, -0.24140751f);
+        const float t136 = t123 * t135;
+        const float t137 = t123 * fmaf(fmaf(0.38173297f, t123, -0.30305624f), t123, 0.05897375f);
+        const float t138 = 1.0f / (elevation_cos * elevation_cos);
+        const float t139 = tau * tau;
+        const float t140 = t139 * t138 / (1.0f + t_x);
+        const float t141 = kappa - 0.5f;
+        const float t142 = cut - 0.5f;
+        const float t143 = t141 * t141;
         const float t144 = t142 * t142;
-        const float t145 = t143 * t143;
-        const float t146 = fmaf(0.05430631f, t144, 0.080950715f);
-        const float t147 = fmaf(t146, t144, 0.1684019f);
-        const float t148 = fmaf(t147, t144, 0.32709444f);
-        const float t149 = fmaf(fmaf(fmaf(fmaf(0.05430631f, t145, t146), t145, t147), t145, t148), t145, fmaf(t148, t144, 0.5987523f));
-        const float t150 = fmaf(-0.026061837f, t144, -0.06372378f);
-        const float t151 = fmaf(t150, t144, -0.11762552f);
-        const float t152 = fmaf(t151, t144, -0.23594604f);
-        const float t153 = fmaf(t152, t144, -0.44721135f);
-        const float t154 = fmaf(fmaf(fmaf(fmaf(-0.026061837f, t145, t150), t145, t151), t145, t152), t145, t153);
-        const float t155 = fmaf(kappa * t141, fmaf(fmaf(t143, t154, t149), t142 + t143, fmaf(t153, t144, -0.7754678f)), fmaf(t111, t141 - kappa * kappa, kappa) * t139);
-        const float t156 = spherecap_max(t140 * tau * (radius_cos + 1.0f) * t155 * 0.31830987f, 0.0f);
-        b_1 = t123 - b_0 + t129;
-        b_2 = t132 - t129;
-        b_3 = t135 - t132;
-        b_4 = t137 - t135;
-        b_5 = t138 - t137;
-        b_6 = -t138;
-        t112 = spherecap_min(t156, 0.5f);
+        const float t145 = fmaf(0.05430631f, t143, 0.080950715f);
+        const float t146 = fmaf(t145, t143, 0.1684019f);
+        const float t147 = fmaf(t146, t143, 0.32709444f);
+        const float t148 = fmaf(fmaf(fmaf(fmaf(0.05430631f, t144, t145), t144, t146), t144, t147), t144, fmaf(t147, t143, 0.5987523f));
+        const float t149 = fmaf(-0.026061837f, t143, -0.06372378f);
+        const float t150 = fmaf(t149, t143, -0.11762552f);
+        const float t151 = fmaf(t150, t143, -0.23594604f);
+        const float t152 = fmaf(t151, t143, -0.44721135f);
+        const float t153 = fmaf(fmaf(fmaf(fmaf(-0.026061837f, t144, t149), t144, t150), t144, t151), t144, t152);
+        const float t154 = fmaf(kappa * t140, fmaf(fmaf(t142, t153, t148), t141 + t142, fmaf(t152, t143, -0.7754678f)), fmaf(t110, t140 - kappa * kappa, kappa) * t138);
+        const float t155 = spherecap_max(t139 * tau * (radius_cos + 1.0f) * t154 * 0.31830987f, 0.0f);
+        b_1 = t122 - b_0 + t128;
+        b_2 = t131 - t128;
+        b_3 = t134 - t131;
+        b_4 = t136 - t134;
+        b_5 = t137 - t136;
+        b_6 = -t137;
+        t111 = spherecap_min(t155, 0.5f);
     }
-    const bool t157 = 0.0f < t107;
-    const float t158 = (0.0f < radius_cos && t101) ? t96 / (1.0f + radius_cos) : 0.0f;
-    const float inv_solid_angle = t157 ? (0.0f < t158 ? 0.15915494f / t158 : 0.0f) : 0.0f;
-    const float share_above = 0.0f < inv_below ? (0.0f < inv_above ? (t98 ? 1.0f - t112 : t112) : 0.0f) : 1.0f;
-    const bool t159 = 0.0f < inv_solid_angle && t157;
-    const bool t160 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t105 || t159);
+    const bool t156 = 0.0f < defensive_share;
+    const float t157 = (0.0f < radius_cos && t101) ? t96 / (1.0f + radius_cos) : 0.0f;
+    const float inv_solid_angle = t156 ? (0.0f < t157 ? 0.15915494f / t157 : 0.0f) : 0.0f;
+    const float sides_share = 0.0f < inv_below ? (0.0f < inv_above ? (t98 ? 1.0f - t111 : t111) : 0.0f) : 1.0f;
+    const bool t158 = 0.0f < inv_solid_angle && t156;
+    const bool t159 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t105 || t158);
     const spherecap_both_light result = {
-        t160, t160 ? t158 * 6.2831855f : 0.0f, t160 ? projected_above : 0.0f,
+        t159, t159 ? t157 * 6.2831855f : 0.0f, t159 ? projected_above : 0.0f,
         make_float3(t13 * t94, t14 * t94, t15 * t94), make_float3(sideways_x, sideways_y, sideways_z),
         make_float3(normal_x, normal_y, normal_z), make_float3(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t107, defensive,
-        inv_above, inv_below, share_above,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
+        defensive, inv_above, inv_below, sides_share,
         make_float3(fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))),
-        t157 ? t158 : 0.0f, inv_solid_angle, t108 ? t109 : 0.0f, t108 ? 1.0f / (1.0f - t109) : 1.0f,
-        t108 ? t110 * t110 * t110 * t111 : 0.0f, elevation_cos * radius_cos, radius_sin * t95, climb, b_0,
+        t156 ? t157 : 0.0f, inv_solid_angle, t107 ? t108 : 0.0f, t107 ? 1.0f / (1.0f - t108) : 1.0f,
+        t107 ? t109 * t109 * t109 * t110 : 0.0f, elevation_cos * radius_cos, radius_sin * t95, climb, b_0,
         b_1, b_2, b_3, b_4, b_5, b_6
     };
     return result;
@@ -1226,16 +1226,16 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
     }
     const float t1 = fabsf(light.elevation_sin);
     const bool t2 = 0.0f < light.elevation_sin;
-    const bool t3 = 0.0f < light.defensive;
+    const bool t3 = 0.0f < light.defensive_share;
     const float t4 = spherecap_min(spherecap_max(u0, 5.9604645e-8f), 0.99999994f);
     const float t5 = spherecap_min(spherecap_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t6 = t4 < light.defensive && t3;
-    const float t7 = 1.0f - light.defensive;
-    const float t8 = spherecap_max((t6 ? t4 : t4 - light.defensive) / (t6 ? light.defensive : t7), 5.9604645e-8f);
-    const float t9 = 0.0f < light.requested ? spherecap_min(t8, 0.99999994f) : t4;
-    const bool t10 = t9 < light.share_above || t6;
-    const float t11 = 1.0f - light.share_above;
-    const float t12 = spherecap_max((t10 ? t9 : t9 - light.share_above) / (t10 ? light.share_above : t11), 5.9604645e-8f);
+    const bool t6 = t4 < light.defensive_share && t3;
+    const float t7 = 1.0f - light.defensive_share;
+    const float t8 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : t7);
+    const float t9 = 0.0f < light.requested ? spherecap_min(spherecap_max(t8, 5.9604645e-8f), 0.99999994f) : t4;
+    const bool t10 = t9 < light.sides_share || t6;
+    const float t11 = 1.0f - light.sides_share;
+    const float t12 = spherecap_max((t10 ? t9 : t9 - light.sides_share) / (t10 ? light.sides_share : t11), 5.9604645e-8f);
     const bool t13 = t10 && t2;
     const bool t14 = !t10 && !t2;
     const float t15 = t6 ? t9 : spherecap_min(t12, 0.99999994f);
@@ -1246,53 +1246,53 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
     const float t20 = 1.0f - t5;
     const float t21 = t5 - t20;
     const float t22 = 4.0f * t5 * t20;
-    float t23, t24, t25, t26;
+    const float t23 = spherecap_max((t15 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t24 = t16 ? t15 : spherecap_min(t23, 0.99999994f);
+    const float t25 = t16 ? 0.0f : light.beyond;
+    const float t26 = 3.1415927f - t25;
+    const float t27 = fmaf(t24, t26, t25);
+    const float t28 = (1.0f - t24) * t26;
+    float t30, t31, t32;
+    float t29 = 0.0f;
     if (t19) {
-        const float t27 = spherecap_max((t15 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-        const float t28 = t16 ? t15 : spherecap_min(t27, 0.99999994f);
-        const float t29 = t16 ? 0.0f : light.beyond;
-        const float t30 = 3.1415927f - t29;
-        const float t31 = fmaf(t28, t30, t29);
-        const float t32 = (1.0f - t28) * t30;
-        t23 = spherecap_min(t31, t32) * 0.53033006f;
-        t24 = 1.0f;
-        t25 = 1.0f;
-        t26 = t31 - t32;
+        t30 = spherecap_min(t27, t28) * 0.53033006f;
+        t31 = 1.0f;
+        t32 = 1.0f;
     } else {
         const float t33 = sqrtf(t22);
         const float t34 = fmaf(fmaf(fmaf(light.b_6, t22, light.b_4), t22, light.b_2), t22, light.b_0);
         const float t35 = t33 * fmaf(fmaf(fmaf(light.b_5, t22, light.b_3), t22, light.b_1), t33, t34);
         const float t36 = sqrtf(fmaf(t21, t21, t35 * t35));
         const float t37 = light.tau * t35;
-        t25 = t17 ? fmaf(t21, t21, t37 * t37) : 1.0f;
+        t32 = t17 ? fmaf(t21, t21, t37 * t37) : 1.0f;
         const float t38 = t17 ? fmaf(light.kappa, t35, t36) * fmaf(light.cut, t35, t36) : light.crescent_share;
         const float t39 = (t17 ? light.width : t15) / t38;
-        t23 = t17 ? t15 : spherecap_min(spherecap_max(t39, 5.9604645e-8f), 0.99999994f);
+        t30 = t17 ? t15 : spherecap_min(spherecap_max(t39, 5.9604645e-8f), 0.99999994f);
         const float t40 = t17 ? t39 : light.width;
-        const float t41 = t25 * t40;
+        const float t41 = t32 * t40;
         const float t42 = t41 * t41;
         const float t43 = fmaf(fmaf(fmaf(-0.00060778117f, t42, -0.0027203285f), t42, -0.10000902f), t41, fmaf(fmaf(1.0676054e-5f, t42, -0.011332183f), t42, 1.0000001f));
-        t24 = t40 * t43;
-        t26 = t17 ? t37 : t33;
+        t29 = t17 ? t37 : t33;
+        t31 = t40 * t43;
     }
-    const float t44 = spherecap_float_of_bits(fmaf(spherecap_bits(t23), -0.33333334f, 1419900500.0f));
-    const float t45 = fmaf(-(t23 * t44), t44 * t44, 1.0f);
+    const float t44 = spherecap_float_of_bits(fmaf(spherecap_bits(t30), -0.33333334f, 1419900500.0f));
+    const float t45 = fmaf(-(t30 * t44), t44 * t44, 1.0f);
     const float t46 = t45 * t45;
     const float t47 = fmaf(fmaf(fmaf(0.110958695f, t46, 0.14403293f), t46, 0.22222222f), t45, fmaf(fmaf(0.12482853f, t46, 0.17283951f), t46, 0.33333334f));
-    const float t48 = t24 * (t23 * fmaf(t44, t45 * t47, t44));
-    const float t49 = t48 * t25;
+    const float t48 = t31 * (t30 * fmaf(t44, t45 * t47, t44));
+    const float t49 = t48 * t32;
     const float t50 = t49 * t49;
     const float t51 = fmaf(fmaf(fmaf(-0.063446075f, t50, -0.056249518f), t50, 0.0074712755f), t50, 0.09996679f);
     const float t52 = fmaf(fmaf(fmaf(0.022114987f, t50, 0.085662976f), t50, 0.030445365f), t50, 0.03209764f);
     const float t53 = t48 * fmaf(t51, t49, fmaf(t52, t50, 1.0000004f));
     const float t54 = t19 ? spherecap_min(t53, 1.0f) : t53;
-    const float t55 = t25 * t54;
+    const float t55 = t32 * t54;
     const float t56 = 2.0f - t55;
     const float t57 = t54 * t56;
     const float t58 = sqrtf(t57);
     float side, t59, t60, t61, t62;
     if (t19) {
-        const float t63 = t26 < 0.0f ? t55 : t56;
+        const float t63 = t27 - t28 < 0.0f ? t55 : t56;
         const float t64 = t57 * t22;
         if (t6) {
             const float t65 = light.height * (1.0f - t64);
@@ -1315,7 +1315,7 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
             t62 = t60;
         }
     } else {
-        t60 = t58 * t26;
+        t60 = t58 * t29;
         t59 = 1.0f - t55;
         side = t58 * t21;
         t61 = fmaf(light.elevation_cos, t60, -((t17 ? -t1 : t1) * t59));
@@ -1326,8 +1326,8 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
     const float cosine = t62 * t72;
     const float t73 = t60 * t72;
     const float t74 = spherecap_min(fabsf(cosine), 3.4028235e38f);
-    const float t75 = 0.0f < cosine ? light.inv_above * light.share_above : cosine < 0.0f ? light.inv_below * t11 : 0.0f;
-    const float t76 = light.defensive * light.inv_solid_angle;
+    const float t75 = 0.0f < cosine ? light.inv_above * light.sides_share : cosine < 0.0f ? light.inv_below * t11 : 0.0f;
+    const float t76 = light.defensive_share * light.inv_solid_angle;
     const float t77 = fmaf(t75, t7, spherecap_min(t76 / spherecap_max(t74, 1.1754944e-38f), 3.4028235e38f));
     const float t78 = fmaf(zenith, zenith, side * side);
     const float t79 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t78), 0.0f);
@@ -1373,11 +1373,11 @@ static __device__ inline float spherecap_both_pdf_direction(spherecap_both_light
     const float t8 = t7 ? 1.0f : fmaf(t2, direction.x, fmaf(t3, direction.y, t4 * direction.z));
     const float t9 = t7 ? 1.0f : t5;
     const float t10 = spherecap_min(fabsf(t6), 3.4028235e38f);
-    const float t11 = 0.0f < t6 ? light.inv_above * light.share_above : t6 < 0.0f ? light.inv_below * (1.0f - light.share_above) : 0.0f;
-    const float t12 = fmaf(t11, (1.0f - light.defensive) * t10, light.defensive * light.inv_solid_angle);
+    const float t11 = 0.0f < t6 ? light.inv_above * light.sides_share : t6 < 0.0f ? light.inv_below * (1.0f - light.sides_share) : 0.0f;
+    const float t12 = fmaf(t11, (1.0f - light.defensive_share) * t10, light.defensive_share * light.inv_solid_angle);
     const bool t13 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
     const float t14 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light.defensive ? t12 : t11 * t10) : 0.0f) : 0.0f;
+    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light.defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
     return t15;
 }
 
@@ -1387,10 +1387,10 @@ static __device__ inline float spherecap_both_pdf_on_sphere(spherecap_both_light
     }
     const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = spherecap_min(fabsf(t1), 3.4028235e38f);
-    const float t3 = 0.0f < t1 ? light.inv_above * light.share_above : t1 < 0.0f ? light.inv_below * (1.0f - light.share_above) : 0.0f;
-    const float t4 = fmaf(t3, (1.0f - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    const float t3 = 0.0f < t1 ? light.inv_above * light.sides_share : t1 < 0.0f ? light.inv_below * (1.0f - light.sides_share) : 0.0f;
+    const float t4 = fmaf(t3, (1.0f - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
     const float t5 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light.defensive ? t4 : t3 * t2) : 0.0f;
+    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light.defensive_share ? t4 : t3 * t2) : 0.0f;
     return t6;
 }
 

@@ -312,53 +312,53 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
     float t8 = 1.0 - t5;
     float t9 = t5 - t8;
     float t10 = 4.0 * t5 * t8;
-    float t11, t12, t13, t14;
+    float t11 = min(0.99999994, max(5.9604645e-8, (t4 - light.crescent_share) * light.inv_rest));
+    float t12 = t2 ? t11 : t4;
+    float t13 = t2 ? light.beyond : 0.0;
+    float t14 = 3.1415927 - t13;
+    float t15 = fma(t12, t14, t13);
+    float t16 = (1.0 - t12) * t14;
+    float t18, t19, t20;
+    float t17 = 0.0;
     if (t7) {
-        float t15 = min(0.99999994, max(5.9604645e-8, (t4 - light.crescent_share) * light.inv_rest));
-        float t16 = t2 ? t15 : t4;
-        float t17 = t2 ? light.beyond : 0.0;
-        float t18 = 3.1415927 - t17;
-        float t19 = fma(t16, t18, t17);
-        float t20 = (1.0 - t16) * t18;
-        t11 = min(t20, t19) * 0.53033006;
-        t12 = 1.0;
-        t13 = 1.0;
-        t14 = t19 - t20;
+        t18 = min(t16, t15) * 0.53033006;
+        t19 = 1.0;
+        t20 = 1.0;
     } else {
         float t21 = sqrt(t10);
         float t22 = fma(fma(fma(light.b_5, t10, light.b_3), t10, light.b_1), t21, fma(fma(fma(light.b_6, t10, light.b_4), t10, light.b_2), t10, light.b_0));
         float t23 = t21 * t22;
         float t24 = sqrt(fma(t9, t9, t23 * t23));
         float t25 = light.tau * t23;
-        t13 = t3 ? fma(t9, t9, t25 * t25) : 1.0;
+        t20 = t3 ? fma(t9, t9, t25 * t25) : 1.0;
         float t26 = t3 ? fma(light.kappa, t23, t24) * fma(light.cut, t23, t24) : light.crescent_share;
         float t27 = (t3 ? light.width : t4) / t26;
         float t28 = t3 ? t27 : light.width;
-        float t29 = t13 * t28;
+        float t29 = t20 * t28;
         float t30 = t29 * t29;
         float t31 = fma(fma(fma(-0.00060778117, t30, -0.0027203285), t30, -0.10000902), t29, fma(fma(1.0676054e-5, t30, -0.011332183), t30, 1.0000001));
-        t11 = t3 ? t4 : min(0.99999994, max(5.9604645e-8, t27));
-        t12 = t28 * t31;
-        t14 = t3 ? t25 : t21;
+        t17 = t3 ? t25 : t21;
+        t18 = t3 ? t4 : min(0.99999994, max(5.9604645e-8, t27));
+        t19 = t28 * t31;
     }
-    float t32 = spherecap_float_of_bits(fma(spherecap_bits(t11), -0.33333334, 1419900500.0));
-    float t33 = fma(-(t11 * t32), t32 * t32, 1.0);
+    float t32 = spherecap_float_of_bits(fma(spherecap_bits(t18), -0.33333334, 1419900500.0));
+    float t33 = fma(-(t18 * t32), t32 * t32, 1.0);
     float t34 = t33 * t33;
     float t35 = fma(fma(fma(0.110958695, t34, 0.14403293), t34, 0.22222222), t33, fma(fma(0.12482853, t34, 0.17283951), t34, 0.33333334));
-    float t36 = t12 * (t11 * fma(t32, t33 * t35, t32));
-    float t37 = t36 * t13;
+    float t36 = t19 * (t18 * fma(t32, t33 * t35, t32));
+    float t37 = t36 * t20;
     float t38 = t37 * t37;
     float t39 = fma(fma(fma(-0.063446075, t38, -0.056249518), t38, 0.0074712755), t38, 0.09996679);
     float t40 = fma(fma(fma(0.022114987, t38, 0.085662976), t38, 0.030445365), t38, 0.03209764);
     float t41 = t36 * fma(t39, t37, fma(t40, t38, 1.0000004));
     float t42 = t7 ? min(1.0, t41) : t41;
-    float t43 = t13 * t42;
+    float t43 = t20 * t42;
     float t44 = 2.0 - t43;
     float t45 = t42 * t44;
     float t46 = sqrt(t45);
     float zenith, side, cosine, t47;
     if (t7) {
-        float t48 = t14 < 0.0 ? t43 : t44;
+        float t48 = t15 - t16 < 0.0 ? t43 : t44;
         float t49 = t45 * t10;
         float t50 = 1.0 - t48;
         float t51 = max(0.0, fma(light.climb, t48, -light.rise));
@@ -369,7 +369,7 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
         side = light.radius_sin * t46 * t9;
         t47 = fma(light.half_axis, t50, light.middle);
     } else {
-        cosine = t46 * t14;
+        cosine = t46 * t17;
         t47 = 1.0 - t43;
         zenith = fma(light.elevation_cos, cosine, -((t3 ? -t1 : t1) * t47));
         side = t46 * t9;
@@ -468,7 +468,7 @@ struct spherecap_front_light {
     float width;
     float cut;
     float rise;
-    float defensive;
+    float defensive_share;
     float requested;
     float inv_above;
     vec3 third_axis;
@@ -651,58 +651,59 @@ spherecap_front_light spherecap_front_prepare(vec3 normal, vec3 centre, float ra
     float inv_above = 0.0 < projected_above ? 1.0 / projected_above : 0.0;
     bool t99 = 0.0 < inv_above;
     float t100 = t94 ? inv_above : 0.0;
-    float t101 = t99 ? defensive : 0.0 < defensive || !(0.0 < on_surface) ? 1.0 : 0.0;
-    bool t102 = t98 && t94 && 0.0 < t100;
-    float t103 = t_y * t_y * t_y * shape * t100;
-    float t104 = t_y / radius_sin;
-    float beyond = t102 ? t104 * t104 * t104 * fma(cut - t_x, shape_difference, shape) : 0.0;
+    float defensive_share = t99 ? defensive : 0.0 < defensive || !(0.0 < on_surface) ? 1.0 : 0.0;
+    bool t101 = t98 && t94 && 0.0 < t100;
+    float t102 = t_y * t_y * t_y * shape * t100;
+    float t103 = t_y / radius_sin;
+    float beyond = t101 ? t103 * t103 * t103 * fma(cut - t_x, shape_difference, shape) : 0.0;
     float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0;
     if (t98 && !t94) {
-        float t105 = 1.0 + kappa;
-        float t106 = t105 * shape;
-        float t107 = 1.0 / (norm * t106);
-        float t108 = sqrt(t107);
-        b_0 = norm * t108;
-        float t109 = 1.0 / (1.0 + cut);
-        float t110 = (t_x + kappa) * t109 - 0.5;
-        float t111 = t110 * t110;
-        float t112 = fma(fma(fma(-0.026061837, t111, -0.06372378), t111, -0.11762552), t111, -0.23594604);
-        float t113 = fma(fma(fma(0.05430631, t111, 0.080950715), t111, 0.1684019), t111, 0.32709444);
-        float t114 = fma(fma(fma(t112, t111, -0.44721135), t111, -0.7754678), t110, fma(fma(t113, t111, 0.5987523), t111, 0.94559944));
-        float t115 = t105 * t114 * (t109 * t109 * t109) * (t106 * t107);
-        float t116 = fma(t115, t106 * t108, -1.0);
-        float t117 = 1.0 - t115;
-        float t118 = fma(fma(30.011856, t116, fma(-41.541264, t117, -37.009792)), t116, fma(77.96775, t117, 7.470758));
-        float t119 = fma(fma(fma(15.716111 * t117, t117, 9.961183), t117, -2.61785), t117, 0.8681748);
-        float t120 = fma(fma(t118, t116, fma(fma(-49.13454, t117, -9.466533), t117, -1.5877596)), t116, t119);
-        float t121 = t116 * t120;
-        float t122 = fma(fma(7.295638, t116, -7.236236), t116, fma(-11.4868555 * t117 * t117, t117, 3.1255686));
-        float t123 = fma(fma(fma(13.728438, t117, -7.981878), t117, 2.025724), t117, -0.7334958);
-        float t124 = t116 * fma(t122, t116, t123);
-        float t125 = fma(fma(-23.220068, t117, 7.332055), t116, fma(fma(9.986537, t117, 25.22195) * t117, t117, -2.9581387));
-        float t126 = fma(fma(fma(-19.722994, t117, 4.6594768), t117, -0.89538246), t117, 0.5143498);
-        float t127 = t116 * fma(t125, t116, t126);
-        float t128 = fma(fma(fma(1.946617, t116, -3.077631), t116, 1.4945927), t116, -0.24140751);
-        float t129 = t116 * t128;
-        float t130 = t116 * fma(fma(0.38173297, t116, -0.30305624), t116, 0.05897375);
-        b_1 = t115 - b_0 + t121;
-        b_2 = t124 - t121;
-        b_3 = t127 - t124;
-        b_4 = t129 - t127;
-        b_5 = t130 - t129;
-        b_6 = -t130;
+        float t104 = 1.0 + kappa;
+        float t105 = t104 * shape;
+        float t106 = 1.0 / (norm * t105);
+        float t107 = sqrt(t106);
+        b_0 = norm * t107;
+        float t108 = 1.0 / (1.0 + cut);
+        float t109 = (t_x + kappa) * t108 - 0.5;
+        float t110 = t109 * t109;
+        float t111 = fma(fma(fma(-0.026061837, t110, -0.06372378), t110, -0.11762552), t110, -0.23594604);
+        float t112 = fma(fma(fma(0.05430631, t110, 0.080950715), t110, 0.1684019), t110, 0.32709444);
+        float t113 = fma(fma(fma(t111, t110, -0.44721135), t110, -0.7754678), t109, fma(fma(t112, t110, 0.5987523), t110, 0.94559944));
+        float t114 = t104 * t113 * (t108 * t108 * t108) * (t105 * t106);
+        float t115 = fma(t114, t105 * t107, -1.0);
+        float t116 = 1.0 - t114;
+        float t117 = fma(fma(30.011856, t115, fma(-41.541264, t116, -37.009792)), t115, fma(77.96775, t116, 7.470758));
+        float t118 = fma(fma(fma(15.716111 * t116, t116, 9.961183), t116, -2.61785), t116, 0.8681748);
+        float t119 = fma(fma(t117, t115, fma(fma(-49.13454, t116, -9.466533), t116, -1.5877596)), t115, t118);
+        float t120 = t115 * t119;
+        float t121 = fma(fma(7.295638, t115, -7.236236), t115, fma(-11.4868555 * t116 * t116, t116, 3.1255686));
+        float t122 = fma(fma(fma(13.728438, t116, -7.981878), t116, 2.025724), t116, -0.7334958);
+        float t123 = t115 * fma(t121, t115, t122);
+        float t124 = fma(fma(-23.220068, t116, 7.332055), t115, fma(fma(9.986537, t116, 25.22195) * t116, t116, -2.9581387));
+        float t125 = fma(fma(fma(-19.722994, t116, 4.6594768), t116, -0.89538246), t116, 0.5143498);
+        float t126 = t115 * fma(t124, t115, t125);
+        float t127 = fma(fma(fma(1.946617, t115, -3.077631), t115, 1.4945927), t115, -0.24140751);
+        float t128 = t115 * t127;
+        float t129 = t115 * fma(fma(0.38173297, t115, -0.30305624), t115, 0.05897375);
+        b_1 = t114 - b_0 + t120;
+        b_2 = t123 - t120;
+        b_3 = t126 - t123;
+        b_4 = t128 - t126;
+        b_5 = t129 - t128;
+        b_6 = -t129;
     }
-    bool t131 = 0.0 < t101;
-    float t132 = (0.0 < radius_cos && t96) ? t93 / (1.0 + radius_cos) : 0.0;
-    float inv_solid_angle = t131 ? (0.0 < t132 ? 0.15915494 / t132 : 0.0) : 0.0;
-    bool t133 = 0.0 < inv_solid_angle && t131;
-    bool t134 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t99 || t133);
+    bool t130 = 0.0 < defensive_share;
+    float t131 = (0.0 < radius_cos && t96) ? t93 / (1.0 + radius_cos) : 0.0;
+    float inv_solid_angle = t130 ? (0.0 < t131 ? 0.15915494 / t131 : 0.0) : 0.0;
+    bool t132 = 0.0 < inv_solid_angle && t130;
+    bool t133 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t99 || t132);
     return spherecap_front_light(
-        t134, t134 ? t132 * 6.2831855 : 0.0, t134 ? projected_above : 0.0, towards_centre, sideways,
+        t133, t133 ? t131 * 6.2831855 : 0.0, t133 ? projected_above : 0.0, towards_centre, sideways,
         vec3(normal_x, normal_y, normal_z), vec3(up_x, up_y, up_z), on_surface, distance, radius_sin,
-        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t101, defensive, inv_above,
+        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, defensive,
+        inv_above,
         vec3(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        t131 ? t132 : 0.0, inv_solid_angle, t102 ? t103 : 0.0, t102 ? 1.0 / (1.0 - t103) : 1.0, beyond,
+        t130 ? t131 : 0.0, inv_solid_angle, t101 ? t102 : 0.0, t101 ? 1.0 / (1.0 - t102) : 1.0, beyond,
         elevation_cos * radius_cos, radius_sin * t92, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
@@ -712,13 +713,13 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
         return spherecap_no_sample();
     }
     float t1 = abs(light.elevation_sin);
-    bool t2 = 0.0 < light.defensive;
+    bool t2 = 0.0 < light.defensive_share;
     float t3 = min(0.99999994, max(5.9604645e-8, u0));
     float t4 = min(0.99999994, max(5.9604645e-8, u1));
-    bool t5 = t3 < light.defensive && t2;
-    float t6 = 1.0 - light.defensive;
-    float t7 = max(5.9604645e-8, (t5 ? t3 : t3 - light.defensive) / (t5 ? light.defensive : t6));
-    float t8 = 0.0 < light.requested ? min(0.99999994, t7) : t3;
+    bool t5 = t3 < light.defensive_share && t2;
+    float t6 = 1.0 - light.defensive_share;
+    float t7 = (t5 ? t3 : t3 - light.defensive_share) / (t5 ? light.defensive_share : t6);
+    float t8 = 0.0 < light.requested ? min(0.99999994, max(5.9604645e-8, t7)) : t3;
     bool t9 = !(0.0 < light.tau) || t5;
     bool t10 = !(0.0 < light.elevation_sin) && !t9;
     bool t11 = light.crescent_share <= t8 && !t10;
@@ -726,53 +727,53 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
     float t13 = 1.0 - t4;
     float t14 = t4 - t13;
     float t15 = 4.0 * t4 * t13;
-    float t16, t17, t18, t19;
+    float t16 = min(0.99999994, max(5.9604645e-8, (t8 - light.crescent_share) * light.inv_rest));
+    float t17 = t9 ? t8 : t16;
+    float t18 = t9 ? 0.0 : light.beyond;
+    float t19 = 3.1415927 - t18;
+    float t20 = fma(t17, t19, t18);
+    float t21 = (1.0 - t17) * t19;
+    float t23, t24, t25;
+    float t22 = 0.0;
     if (t12) {
-        float t20 = min(0.99999994, max(5.9604645e-8, (t8 - light.crescent_share) * light.inv_rest));
-        float t21 = t9 ? t8 : t20;
-        float t22 = t9 ? 0.0 : light.beyond;
-        float t23 = 3.1415927 - t22;
-        float t24 = fma(t21, t23, t22);
-        float t25 = (1.0 - t21) * t23;
-        t16 = min(t25, t24) * 0.53033006;
-        t17 = 1.0;
-        t18 = 1.0;
-        t19 = t24 - t25;
+        t23 = min(t21, t20) * 0.53033006;
+        t24 = 1.0;
+        t25 = 1.0;
     } else {
         float t26 = sqrt(t15);
         float t27 = fma(fma(fma(light.b_5, t15, light.b_3), t15, light.b_1), t26, fma(fma(fma(light.b_6, t15, light.b_4), t15, light.b_2), t15, light.b_0));
         float t28 = t26 * t27;
         float t29 = sqrt(fma(t14, t14, t28 * t28));
         float t30 = light.tau * t28;
-        t18 = t10 ? fma(t14, t14, t30 * t30) : 1.0;
+        t25 = t10 ? fma(t14, t14, t30 * t30) : 1.0;
         float t31 = t10 ? fma(light.kappa, t28, t29) * fma(light.cut, t28, t29) : light.crescent_share;
         float t32 = (t10 ? light.width : t8) / t31;
         float t33 = t10 ? t32 : light.width;
-        float t34 = t18 * t33;
+        float t34 = t25 * t33;
         float t35 = t34 * t34;
         float t36 = fma(fma(fma(-0.00060778117, t35, -0.0027203285), t35, -0.10000902), t34, fma(fma(1.0676054e-5, t35, -0.011332183), t35, 1.0000001));
-        t16 = t10 ? t8 : min(0.99999994, max(5.9604645e-8, t32));
-        t17 = t33 * t36;
-        t19 = t10 ? t30 : t26;
+        t22 = t10 ? t30 : t26;
+        t23 = t10 ? t8 : min(0.99999994, max(5.9604645e-8, t32));
+        t24 = t33 * t36;
     }
-    float t37 = spherecap_float_of_bits(fma(spherecap_bits(t16), -0.33333334, 1419900500.0));
-    float t38 = fma(-(t16 * t37), t37 * t37, 1.0);
+    float t37 = spherecap_float_of_bits(fma(spherecap_bits(t23), -0.33333334, 1419900500.0));
+    float t38 = fma(-(t23 * t37), t37 * t37, 1.0);
     float t39 = t38 * t38;
     float t40 = fma(fma(fma(0.110958695, t39, 0.14403293), t39, 0.22222222), t38, fma(fma(0.12482853, t39, 0.17283951), t39, 0.33333334));
-    float t41 = t17 * (t16 * fma(t37, t38 * t40, t37));
-    float t42 = t41 * t18;
+    float t41 = t24 * (t23 * fma(t37, t38 * t40, t37));
+    float t42 = t41 * t25;
     float t43 = t42 * t42;
     float t44 = fma(fma(fma(-0.063446075, t43, -0.056249518), t43, 0.0074712755), t43, 0.09996679);
     float t45 = fma(fma(fma(0.022114987, t43, 0.085662976), t43, 0.030445365), t43, 0.03209764);
     float t46 = t41 * fma(t44, t42, fma(t45, t43, 1.0000004));
     float t47 = t12 ? min(1.0, t46) : t46;
-    float t48 = t18 * t47;
+    float t48 = t25 * t47;
     float t49 = 2.0 - t48;
     float t50 = t47 * t49;
     float t51 = sqrt(t50);
     float zenith, side, cosine, t52, t53;
     if (t12) {
-        float t54 = t19 < 0.0 ? t48 : t49;
+        float t54 = t20 - t21 < 0.0 ? t48 : t49;
         float t55 = t50 * t15;
         if (t5) {
             float t56 = light.height * (1.0 - t55);
@@ -795,7 +796,7 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
             cosine = t53;
         }
     } else {
-        cosine = t51 * t19;
+        cosine = t51 * t22;
         t52 = 1.0 - t48;
         zenith = fma(light.elevation_cos, cosine, -((t10 ? -t1 : t1) * t52));
         side = t51 * t14;
@@ -803,7 +804,7 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
     }
     float t63 = min(3.4028235e38, abs(cosine));
     float t64 = 0.0 < cosine ? light.inv_above : 0.0;
-    float t65 = light.defensive * light.inv_solid_angle;
+    float t65 = light.defensive_share * light.inv_solid_angle;
     float t66 = min(3.4028235e38, fma(t64, t6, min(3.4028235e38, t65 / max(1.1754944e-38, t63))));
     float t67 = fma(zenith, zenith, side * side);
     float t68 = max(0.0, fma(light.radius_sin, light.radius_sin, -t67));
@@ -839,8 +840,8 @@ float spherecap_front_pdf_direction(spherecap_front_light light, vec3 direction)
     float t4 = t2 ? 1.0 : dot(light.sideways, direction);
     float t5 = min(3.4028235e38, abs(t1));
     float t6 = 0.0 < t1 ? light.inv_above : 0.0;
-    float t7 = fma(t6, (1.0 - light.defensive) * t5, light.defensive * light.inv_solid_angle);
-    float t8 = fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.defensive ? t7 : t6 * t5) : 0.0;
+    float t7 = fma(t6, (1.0 - light.defensive_share) * t5, light.defensive_share * light.inv_solid_angle);
+    float t8 = fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.defensive_share ? t7 : t6 * t5) : 0.0;
     float t9 = dot(direction, direction);
     return (0.998001 <= t9 && t9 <= 1.002001) ? t8 : 0.0;
 }
@@ -852,9 +853,9 @@ float spherecap_front_pdf_on_sphere(spherecap_front_light light, vec3 direction)
     float t1 = dot(light.normal, direction);
     float t2 = min(3.4028235e38, abs(t1));
     float t3 = 0.0 < t1 ? light.inv_above : 0.0;
-    float t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    float t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
     float t5 = dot(direction, direction);
-    float t6 = (0.998001 <= t5 && t5 <= 1.002001) ? (0.0 < light.defensive ? t4 : t3 * t2) : 0.0;
+    float t6 = (0.998001 <= t5 && t5 <= 1.002001) ? (0.0 < light.defensive_share ? t4 : t3 * t2) : 0.0;
     return t6;
 }
 
@@ -920,11 +921,11 @@ struct spherecap_both_light {
     float width;
     float cut;
     float rise;
-    float defensive;
+    float defensive_share;
     float requested;
     float inv_above;
     float inv_below;
-    float share_above;
+    float sides_share;
     vec3 third_axis;
     float height;
     float inv_solid_angle;
@@ -1110,79 +1111,79 @@ spherecap_both_light spherecap_both_prepare(vec3 normal, vec3 centre, float radi
     float inv_below = 0.0 < projected_below ? 1.0 / projected_below : 0.0;
     bool t102 = 0.0 < inv_above + inv_below;
     float t103 = t95 ? inv_above : inv_below;
-    float t104 = t102 ? defensive : 0.0 < defensive || !(0.0 < on_surface) ? 1.0 : 0.0;
-    bool t105 = 0.0 < t103 && t101;
-    float t106 = t_y * t_y * t_y * shape * t103;
-    float t107 = t_y / radius_sin;
-    float t108 = fma(cut - t_x, shape_difference, shape);
-    float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0, t109 = 0.0;
+    float defensive_share = t102 ? defensive : 0.0 < defensive || !(0.0 < on_surface) ? 1.0 : 0.0;
+    bool t104 = 0.0 < t103 && t101;
+    float t105 = t_y * t_y * t_y * shape * t103;
+    float t106 = t_y / radius_sin;
+    float t107 = fma(cut - t_x, shape_difference, shape);
+    float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0, t108 = 0.0;
     if (t101) {
-        float t110 = 1.0 + kappa;
-        float t111 = t110 * shape;
-        float t112 = 1.0 / (norm * t111);
-        float t113 = sqrt(t112);
-        b_0 = norm * t113;
-        float t114 = 1.0 / (1.0 + cut);
-        float t115 = (t_x + kappa) * t114 - 0.5;
-        float t116 = t115 * t115;
-        float t117 = fma(fma(fma(-0.026061837, t116, -0.06372378), t116, -0.11762552), t116, -0.23594604);
-        float t118 = fma(fma(fma(0.05430631, t116, 0.080950715), t116, 0.1684019), t116, 0.32709444);
-        float t119 = fma(fma(fma(t117, t116, -0.44721135), t116, -0.7754678), t115, fma(fma(t118, t116, 0.5987523), t116, 0.94559944));
-        float t120 = t110 * t119 * (t114 * t114 * t114) * (t111 * t112);
-        float t121 = fma(t120, t111 * t113, -1.0);
-        float t122 = 1.0 - t120;
-        float t123 = fma(fma(30.011856, t121, fma(-41.541264, t122, -37.009792)), t121, fma(77.96775, t122, 7.470758));
-        float t124 = fma(fma(fma(15.716111 * t122, t122, 9.961183), t122, -2.61785), t122, 0.8681748);
-        float t125 = fma(fma(t123, t121, fma(fma(-49.13454, t122, -9.466533), t122, -1.5877596)), t121, t124);
-        float t126 = t121 * t125;
-        float t127 = fma(fma(7.295638, t121, -7.236236), t121, fma(-11.4868555 * t122 * t122, t122, 3.1255686));
-        float t128 = fma(fma(fma(13.728438, t122, -7.981878), t122, 2.025724), t122, -0.7334958);
-        float t129 = t121 * fma(t127, t121, t128);
-        float t130 = fma(fma(-23.220068, t122, 7.332055), t121, fma(fma(9.986537, t122, 25.22195) * t122, t122, -2.9581387));
-        float t131 = fma(fma(fma(-19.722994, t122, 4.6594768), t122, -0.89538246), t122, 0.5143498);
-        float t132 = t121 * fma(t130, t121, t131);
-        float t133 = fma(fma(fma(1.946617, t121, -3.077631), t121, 1.4945927), t121, -0.24140751);
-        float t134 = t121 * t133;
-        float t135 = t121 * fma(fma(0.38173297, t121, -0.30305624), t121, 0.05897375);
-        float t136 = 1.0 / (elevation_cos * elevation_cos);
-        float t137 = tau * tau;
-        float t138 = t137 * t136 / (1.0 + t_x);
-        float t139 = kappa - 0.5;
-        float t140 = cut - 0.5;
+        float t109 = 1.0 + kappa;
+        float t110 = t109 * shape;
+        float t111 = 1.0 / (norm * t110);
+        float t112 = sqrt(t111);
+        b_0 = norm * t112;
+        float t113 = 1.0 / (1.0 + cut);
+        float t114 = (t_x + kappa) * t113 - 0.5;
+        float t115 = t114 * t114;
+        float t116 = fma(fma(fma(-0.026061837, t115, -0.06372378), t115, -0.11762552), t115, -0.23594604);
+        float t117 = fma(fma(fma(0.05430631, t115, 0.080950715), t115, 0.1684019), t115, 0.32709444);
+        float t118 = fma(fma(fma(t116, t115, -0.44721135), t115, -0.7754678), t114, fma(fma(t117, t115, 0.5987523), t115, 0.94559944));
+        float t119 = t109 * t118 * (t113 * t113 * t113) * (t110 * t111);
+        float t120 = fma(t119, t110 * t112, -1.0);
+        float t121 = 1.0 - t119;
+        float t122 = fma(fma(30.011856, t120, fma(-41.541264, t121, -37.009792)), t120, fma(77.96775, t121, 7.470758));
+        float t123 = fma(fma(fma(15.716111 * t121, t121, 9.961183), t121, -2.61785), t121, 0.8681748);
+        float t124 = fma(fma(t122, t120, fma(fma(-49.13454, t121, -9.466533), t121, -1.5877596)), t120, t123);
+        float t125 = t120 * t124;
+        float t126 = fma(fma(7.295638, t120, -7.236236), t120, fma(-11.4868555 * t121 * t121, t121, 3.1255686));
+        float t127 = fma(fma(fma(13.728438, t121, -7.981878), t121, 2.025724), t121, -0.7334958);
+        float t128 = t120 * fma(t126, t120, t127);
+        float t129 = fma(fma(-23.220068, t121, 7.332055), t120, fma(fma(9.986537, t121, 25.22195) * t121, t121, -2.9581387));
+        float t130 = fma(fma(fma(-19.722994, t121, 4.6594768), t121, -0.89538246), t121, 0.5143498);
+        float t131 = t120 * fma(t129, t120, t130);
+        float t132 = fma(fma(fma(1.946617, t120, -3.077631), t120, 1.4945927), t120, -0.24140751);
+        float t133 = t120 * t132;
+        float t134 = t120 * fma(fma(0.38173297, t120, -0.30305624), t120, 0.05897375);
+        float t135 = 1.0 / (elevation_cos * elevation_cos);
+        float t136 = tau * tau;
+        float t137 = t136 * t135 / (1.0 + t_x);
+        float t138 = kappa - 0.5;
+        float t139 = cut - 0.5;
+        float t140 = t138 * t138;
         float t141 = t139 * t139;
-        float t142 = t140 * t140;
-        float t143 = fma(0.05430631, t141, 0.080950715);
-        float t144 = fma(t143, t141, 0.1684019);
-        float t145 = fma(t144, t141, 0.32709444);
-        float t146 = fma(fma(fma(fma(0.05430631, t142, t143), t142, t144), t142, t145), t142, fma(t145, t141, 0.5987523));
-        float t147 = fma(-0.026061837, t141, -0.06372378);
-        float t148 = fma(t147, t141, -0.11762552);
-        float t149 = fma(t148, t141, -0.23594604);
-        float t150 = fma(t149, t141, -0.44721135);
-        float t151 = fma(fma(fma(fma(-0.026061837, t142, t147), t142, t148), t142, t149), t142, t150);
-        float t152 = fma(kappa * t138, fma(fma(t140, t151, t146), t139 + t140, fma(t150, t141, -0.7754678)), fma(t108, t138 - kappa * kappa, kappa) * t136);
-        b_1 = t120 - b_0 + t126;
-        b_2 = t129 - t126;
-        b_3 = t132 - t129;
-        b_4 = t134 - t132;
-        b_5 = t135 - t134;
-        b_6 = -t135;
-        t109 = min(0.5, max(0.0, t137 * tau * (radius_cos + 1.0) * t152 * 0.31830987));
+        float t142 = fma(0.05430631, t140, 0.080950715);
+        float t143 = fma(t142, t140, 0.1684019);
+        float t144 = fma(t143, t140, 0.32709444);
+        float t145 = fma(fma(fma(fma(0.05430631, t141, t142), t141, t143), t141, t144), t141, fma(t144, t140, 0.5987523));
+        float t146 = fma(-0.026061837, t140, -0.06372378);
+        float t147 = fma(t146, t140, -0.11762552);
+        float t148 = fma(t147, t140, -0.23594604);
+        float t149 = fma(t148, t140, -0.44721135);
+        float t150 = fma(fma(fma(fma(-0.026061837, t141, t146), t141, t147), t141, t148), t141, t149);
+        float t151 = fma(kappa * t137, fma(fma(t139, t150, t145), t138 + t139, fma(t149, t140, -0.7754678)), fma(t107, t137 - kappa * kappa, kappa) * t135);
+        b_1 = t119 - b_0 + t125;
+        b_2 = t128 - t125;
+        b_3 = t131 - t128;
+        b_4 = t133 - t131;
+        b_5 = t134 - t133;
+        b_6 = -t134;
+        t108 = min(0.5, max(0.0, t136 * tau * (radius_cos + 1.0) * t151 * 0.31830987));
     }
-    bool t153 = 0.0 < t104;
-    float t154 = (0.0 < radius_cos && t98) ? t93 / (1.0 + radius_cos) : 0.0;
-    float inv_solid_angle = t153 ? (0.0 < t154 ? 0.15915494 / t154 : 0.0) : 0.0;
-    float share_above = 0.0 < inv_below ? (0.0 < inv_above ? (t95 ? 1.0 - t109 : t109) : 0.0) : 1.0;
-    bool t155 = 0.0 < inv_solid_angle && t153;
-    bool t156 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t102 || t155);
+    bool t152 = 0.0 < defensive_share;
+    float t153 = (0.0 < radius_cos && t98) ? t93 / (1.0 + radius_cos) : 0.0;
+    float inv_solid_angle = t152 ? (0.0 < t153 ? 0.15915494 / t153 : 0.0) : 0.0;
+    float sides_share = 0.0 < inv_below ? (0.0 < inv_above ? (t95 ? 1.0 - t108 : t108) : 0.0) : 1.0;
+    bool t154 = 0.0 < inv_solid_angle && t152;
+    bool t155 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t102 || t154);
     return spherecap_both_light(
-        t156, t156 ? t154 * 6.2831855 : 0.0, t156 ? projected_above : 0.0, towards_centre, sideways,
+        t155, t155 ? t153 * 6.2831855 : 0.0, t155 ? projected_above : 0.0, towards_centre, sideways,
         vec3(normal_x, normal_y, normal_z), vec3(up_x, up_y, up_z), on_surface, distance, radius_sin,
-        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t104, defensive, inv_above,
-        inv_below, share_above,
+        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, defensive,
+        inv_above, inv_below, sides_share,
         vec3(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        t153 ? t154 : 0.0, inv_solid_angle, t105 ? t106 : 0.0, t105 ? 1.0 / (1.0 - t106) : 1.0,
-        t105 ? t107 * t107 * t107 * t108 : 0.0, elevation_cos * radius_cos, radius_sin * t92, climb, b_0,
+        t152 ? t153 : 0.0, inv_solid_angle, t104 ? t105 : 0.0, t104 ? 1.0 / (1.0 - t105) : 1.0,
+        t104 ? t106 * t106 * t106 * t107 : 0.0, elevation_cos * radius_cos, radius_sin * t92, climb, b_0,
         b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
@@ -1193,16 +1194,16 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     }
     float t1 = abs(light.elevation_sin);
     bool t2 = 0.0 < light.elevation_sin;
-    bool t3 = 0.0 < light.defensive;
+    bool t3 = 0.0 < light.defensive_share;
     float t4 = min(0.99999994, max(5.9604645e-8, u0));
     float t5 = min(0.99999994, max(5.9604645e-8, u1));
-    bool t6 = t4 < light.defensive && t3;
-    float t7 = 1.0 - light.defensive;
-    float t8 = max(5.9604645e-8, (t6 ? t4 : t4 - light.defensive) / (t6 ? light.defensive : t7));
-    float t9 = 0.0 < light.requested ? min(0.99999994, t8) : t4;
-    bool t10 = t9 < light.share_above || t6;
-    float t11 = 1.0 - light.share_above;
-    float t12 = max(5.9604645e-8, (t10 ? t9 : t9 - light.share_above) / (t10 ? light.share_above : t11));
+    bool t6 = t4 < light.defensive_share && t3;
+    float t7 = 1.0 - light.defensive_share;
+    float t8 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : t7);
+    float t9 = 0.0 < light.requested ? min(0.99999994, max(5.9604645e-8, t8)) : t4;
+    bool t10 = t9 < light.sides_share || t6;
+    float t11 = 1.0 - light.sides_share;
+    float t12 = max(5.9604645e-8, (t10 ? t9 : t9 - light.sides_share) / (t10 ? light.sides_share : t11));
     bool t13 = t10 && t2;
     bool t14 = !t10 && !t2;
     float t15 = t6 ? t9 : min(0.99999994, t12);
@@ -1213,53 +1214,53 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     float t20 = 1.0 - t5;
     float t21 = t5 - t20;
     float t22 = 4.0 * t5 * t20;
-    float t23, t24, t25, t26;
+    float t23 = min(0.99999994, max(5.9604645e-8, (t15 - light.crescent_share) * light.inv_rest));
+    float t24 = t16 ? t15 : t23;
+    float t25 = t16 ? 0.0 : light.beyond;
+    float t26 = 3.1415927 - t25;
+    float t27 = fma(t24, t26, t25);
+    float t28 = (1.0 - t24) * t26;
+    float t30, t31, t32;
+    float t29 = 0.0;
     if (t19) {
-        float t27 = min(0.99999994, max(5.9604645e-8, (t15 - light.crescent_share) * light.inv_rest));
-        float t28 = t16 ? t15 : t27;
-        float t29 = t16 ? 0.0 : light.beyond;
-        float t30 = 3.1415927 - t29;
-        float t31 = fma(t28, t30, t29);
-        float t32 = (1.0 - t28) * t30;
-        t23 = min(t32, t31) * 0.53033006;
-        t24 = 1.0;
-        t25 = 1.0;
-        t26 = t31 - t32;
+        t30 = min(t28, t27) * 0.53033006;
+        t31 = 1.0;
+        t32 = 1.0;
     } else {
         float t33 = sqrt(t22);
         float t34 = fma(fma(fma(light.b_5, t22, light.b_3), t22, light.b_1), t33, fma(fma(fma(light.b_6, t22, light.b_4), t22, light.b_2), t22, light.b_0));
         float t35 = t33 * t34;
         float t36 = sqrt(fma(t21, t21, t35 * t35));
         float t37 = light.tau * t35;
-        t25 = t17 ? fma(t21, t21, t37 * t37) : 1.0;
+        t32 = t17 ? fma(t21, t21, t37 * t37) : 1.0;
         float t38 = t17 ? fma(light.kappa, t35, t36) * fma(light.cut, t35, t36) : light.crescent_share;
         float t39 = (t17 ? light.width : t15) / t38;
         float t40 = t17 ? t39 : light.width;
-        float t41 = t25 * t40;
+        float t41 = t32 * t40;
         float t42 = t41 * t41;
         float t43 = fma(fma(fma(-0.00060778117, t42, -0.0027203285), t42, -0.10000902), t41, fma(fma(1.0676054e-5, t42, -0.011332183), t42, 1.0000001));
-        t23 = t17 ? t15 : min(0.99999994, max(5.9604645e-8, t39));
-        t24 = t40 * t43;
-        t26 = t17 ? t37 : t33;
+        t29 = t17 ? t37 : t33;
+        t30 = t17 ? t15 : min(0.99999994, max(5.9604645e-8, t39));
+        t31 = t40 * t43;
     }
-    float t44 = spherecap_float_of_bits(fma(spherecap_bits(t23), -0.33333334, 1419900500.0));
-    float t45 = fma(-(t23 * t44), t44 * t44, 1.0);
+    float t44 = spherecap_float_of_bits(fma(spherecap_bits(t30), -0.33333334, 1419900500.0));
+    float t45 = fma(-(t30 * t44), t44 * t44, 1.0);
     float t46 = t45 * t45;
     float t47 = fma(fma(fma(0.110958695, t46, 0.14403293), t46, 0.22222222), t45, fma(fma(0.12482853, t46, 0.17283951), t46, 0.33333334));
-    float t48 = t24 * (t23 * fma(t44, t45 * t47, t44));
-    float t49 = t48 * t25;
+    float t48 = t31 * (t30 * fma(t44, t45 * t47, t44));
+    float t49 = t48 * t32;
     float t50 = t49 * t49;
     float t51 = fma(fma(fma(-0.063446075, t50, -0.056249518), t50, 0.0074712755), t50, 0.09996679);
     float t52 = fma(fma(fma(0.022114987, t50, 0.085662976), t50, 0.030445365), t50, 0.03209764);
     float t53 = t48 * fma(t51, t49, fma(t52, t50, 1.0000004));
     float t54 = t19 ? min(1.0, t53) : t53;
-    float t55 = t25 * t54;
+    float t55 = t32 * t54;
     float t56 = 2.0 - t55;
     float t57 = t54 * t56;
     float t58 = sqrt(t57);
     float side, t59, t60, t61, t62;
     if (t19) {
-        float t63 = t26 < 0.0 ? t55 : t56;
+        float t63 = t27 - t28 < 0.0 ? t55 : t56;
         float t64 = t57 * t22;
         if (t6) {
             float t65 = light.height * (1.0 - t64);
@@ -1282,7 +1283,7 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
             t62 = t60;
         }
     } else {
-        t60 = t58 * t26;
+        t60 = t58 * t29;
         t59 = 1.0 - t55;
         side = t58 * t21;
         t61 = fma(light.elevation_cos, t60, -((t17 ? -t1 : t1) * t59));
@@ -1293,8 +1294,8 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     float cosine = t62 * t72;
     float t73 = t60 * t72;
     float t74 = min(3.4028235e38, abs(cosine));
-    float t75 = 0.0 < cosine ? light.inv_above * light.share_above : cosine < 0.0 ? light.inv_below * t11 : 0.0;
-    float t76 = light.defensive * light.inv_solid_angle;
+    float t75 = 0.0 < cosine ? light.inv_above * light.sides_share : cosine < 0.0 ? light.inv_below * t11 : 0.0;
+    float t76 = light.defensive_share * light.inv_solid_angle;
     float t77 = min(3.4028235e38, fma(t75, t7, min(3.4028235e38, t76 / max(1.1754944e-38, t74))));
     float t78 = fma(zenith, zenith, side * side);
     float t79 = max(0.0, fma(light.radius_sin, light.radius_sin, -t78));
@@ -1329,9 +1330,9 @@ float spherecap_both_pdf_direction(spherecap_both_light light, vec3 direction) {
     float t3 = t2 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
     float t4 = t2 ? 1.0 : dot(light.sideways, direction);
     float t5 = min(3.4028235e38, abs(t1));
-    float t6 = 0.0 < t1 ? light.inv_above * light.share_above : t1 < 0.0 ? light.inv_below * (1.0 - light.share_above) : 0.0;
-    float t7 = fma(t6, (1.0 - light.defensive) * t5, light.defensive * light.inv_solid_angle);
-    float t8 = fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.defensive ? t7 : t6 * t5) : 0.0;
+    float t6 = 0.0 < t1 ? light.inv_above * light.sides_share : t1 < 0.0 ? light.inv_below * (1.0 - light.sides_share) : 0.0;
+    float t7 = fma(t6, (1.0 - light.defensive_share) * t5, light.defensive_share * light.inv_solid_angle);
+    float t8 = fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.defensive_share ? t7 : t6 * t5) : 0.0;
     float t9 = dot(direction, direction);
     return (0.998001 <= t9 && t9 <= 1.002001) ? t8 : 0.0;
 }
@@ -1342,10 +1343,10 @@ float spherecap_both_pdf_on_sphere(spherecap_both_light light, vec3 direction) {
     }
     float t1 = dot(light.normal, direction);
     float t2 = min(3.4028235e38, abs(t1));
-    float t3 = 0.0 < t1 ? light.inv_above * light.share_above : t1 < 0.0 ? light.inv_below * (1.0 - light.share_above) : 0.0;
-    float t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    float t3 = 0.0 < t1 ? light.inv_above * light.sides_share : t1 < 0.0 ? light.inv_below * (1.0 - light.sides_share) : 0.0;
+    float t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
     float t5 = dot(direction, direction);
-    float t6 = (0.998001 <= t5 && t5 <= 1.002001) ? (0.0 < light.defensive ? t4 : t3 * t2) : 0.0;
+    float t6 = (0.998001 <= t5 && t5 <= 1.002001) ? (0.0 < light.defensive_share ? t4 : t3 * t2) : 0.0;
     return t6;
 }
 

@@ -328,50 +328,49 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     let t8 = 1.0 - t5;
     let t9 = t5 - t8;
     let t10 = 4.0 * t5 * t8;
-    var t11: f32;
-    var t12: f32;
-    var t13: f32;
-    var t14: f32;
+    let t11 = min(0.99999994, max(5.9604645e-8, (t4 - light.crescent_share) * light.inv_rest));
+    let t12 = select(t4, t11, t2);
+    let t13 = select(0.0, light.beyond, t2);
+    let t14 = 3.1415927 - t13;
+    let t15 = fma(t12, t14, t13);
+    let t16 = (1.0 - t12) * t14;
+    var t18: f32;
+    var t19: f32;
+    var t20: f32;
+    var t17 = 0.0;
     if (t7) {
-        let t15 = min(0.99999994, max(5.9604645e-8, (t4 - light.crescent_share) * light.inv_rest));
-        let t16 = select(t4, t15, t2);
-        let t17 = select(0.0, light.beyond, t2);
-        let t18 = 3.1415927 - t17;
-        let t19 = fma(t16, t18, t17);
-        let t20 = (1.0 - t16) * t18;
-        t11 = min(t20, t19) * 0.53033006;
-        t12 = 1.0;
-        t13 = 1.0;
-        t14 = t19 - t20;
+        t18 = min(t16, t15) * 0.53033006;
+        t19 = 1.0;
+        t20 = 1.0;
     } else {
         let t21 = sqrt(t10);
         let t22 = fma(fma(fma(light.b_5, t10, light.b_3), t10, light.b_1), t21, fma(fma(fma(light.b_6, t10, light.b_4), t10, light.b_2), t10, light.b_0));
         let t23 = t21 * t22;
         let t24 = sqrt(fma(t9, t9, t23 * t23));
         let t25 = light.tau * t23;
-        t13 = select(1.0, fma(t9, t9, t25 * t25), t3);
+        t20 = select(1.0, fma(t9, t9, t25 * t25), t3);
         let t26 = select(light.crescent_share, fma(light.kappa, t23, t24) * fma(light.cut, t23, t24), t3);
         let t27 = select(t4, light.width, t3) / t26;
         let t28 = select(light.width, t27, t3);
-        let t29 = t13 * t28;
+        let t29 = t20 * t28;
         let t30 = t29 * t29;
         let t31 = fma(fma(fma(-0.00060778117, t30, -0.0027203285), t30, -0.10000902), t29, fma(fma(1.0676054e-5, t30, -0.011332183), t30, 1.0000001));
-        t11 = select(min(0.99999994, max(5.9604645e-8, t27)), t4, t3);
-        t12 = t28 * t31;
-        t14 = select(t21, t25, t3);
+        t17 = select(t21, t25, t3);
+        t18 = select(min(0.99999994, max(5.9604645e-8, t27)), t4, t3);
+        t19 = t28 * t31;
     }
-    let t32 = spherecap_float_of_bits(fma(spherecap_bits(t11), -0.33333334, 1419900500.0));
-    let t33 = fma(-(t11 * t32), t32 * t32, 1.0);
+    let t32 = spherecap_float_of_bits(fma(spherecap_bits(t18), -0.33333334, 1419900500.0));
+    let t33 = fma(-(t18 * t32), t32 * t32, 1.0);
     let t34 = t33 * t33;
     let t35 = fma(fma(fma(0.110958695, t34, 0.14403293), t34, 0.22222222), t33, fma(fma(0.12482853, t34, 0.17283951), t34, 0.33333334));
-    let t36 = t12 * (t11 * fma(t32, t33 * t35, t32));
-    let t37 = t36 * t13;
+    let t36 = t19 * (t18 * fma(t32, t33 * t35, t32));
+    let t37 = t36 * t20;
     let t38 = t37 * t37;
     let t39 = fma(fma(fma(-0.063446075, t38, -0.056249518), t38, 0.0074712755), t38, 0.09996679);
     let t40 = fma(fma(fma(0.022114987, t38, 0.085662976), t38, 0.030445365), t38, 0.03209764);
     let t41 = t36 * fma(t39, t37, fma(t40, t38, 1.0000004));
     let t42 = select(t41, min(1.0, t41), t7);
-    let t43 = t13 * t42;
+    let t43 = t20 * t42;
     let t44 = 2.0 - t43;
     let t45 = t42 * t44;
     let t46 = sqrt(t45);
@@ -380,7 +379,7 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     var cosine: f32;
     var t47: f32;
     if (t7) {
-        let t48 = select(t44, t43, t14 < 0.0);
+        let t48 = select(t44, t43, t15 - t16 < 0.0);
         let t49 = t45 * t10;
         let t50 = 1.0 - t48;
         let t51 = max(0.0, fma(light.climb, t48, -light.rise));
@@ -391,7 +390,7 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
         side = light.radius_sin * t46 * t9;
         t47 = fma(light.half_axis, t50, light.middle);
     } else {
-        cosine = t46 * t14;
+        cosine = t46 * t17;
         t47 = 1.0 - t43;
         zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t3) * t47));
         side = t46 * t9;
@@ -489,7 +488,7 @@ struct spherecap_front_light {
     width: f32,
     cut: f32,
     rise: f32,
-    defensive: f32,
+    defensive_share: f32,
     requested: f32,
     inv_above: f32,
     third_axis: vec3f,
@@ -695,11 +694,11 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
     let t103 = 0.0 < inv_above;
     let t104 = select(0.0, inv_above, t98);
-    let t105 = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t103);
-    let t106 = t102 && t98 && 0.0 < t104;
-    let t107 = t_y * t_y * t_y * shape * t104;
-    let t108 = t_y / radius_sin;
-    let beyond = select(0.0, t108 * t108 * t108 * fma(cut - t_x, shape_difference, shape), t106);
+    let defensive_share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t103);
+    let t105 = t102 && t98 && 0.0 < t104;
+    let t106 = t_y * t_y * t_y * shape * t104;
+    let t107 = t_y / radius_sin;
+    let beyond = select(0.0, t107 * t107 * t107 * fma(cut - t_x, shape_difference, shape), t105);
     var b_0 = 0.0;
     var b_1 = 0.0;
     var b_2 = 0.0;
@@ -708,53 +707,53 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     var b_5 = 0.0;
     var b_6 = 0.0;
     if (t102 && !t98) {
-        let t109 = 1.0 + kappa;
-        let t110 = t109 * shape;
-        let t111 = 1.0 / (norm * t110);
-        let t112 = sqrt(t111);
-        b_0 = norm * t112;
-        let t113 = 1.0 / (1.0 + cut);
-        let t114 = (t_x + kappa) * t113 - 0.5;
-        let t115 = t114 * t114;
-        let t116 = fma(fma(fma(-0.026061837, t115, -0.06372378), t115, -0.11762552), t115, -0.23594604);
-        let t117 = fma(fma(fma(0.05430631, t115, 0.080950715), t115, 0.1684019), t115, 0.32709444);
-        let t118 = fma(fma(fma(t116, t115, -0.44721135), t115, -0.7754678), t114, fma(fma(t117, t115, 0.5987523), t115, 0.94559944));
-        let t119 = t109 * t118 * (t113 * t113 * t113) * (t110 * t111);
-        let t120 = fma(t119, t110 * t112, -1.0);
-        let t121 = 1.0 - t119;
-        let t122 = fma(fma(30.011856, t120, fma(-41.541264, t121, -37.009792)), t120, fma(77.96775, t121, 7.470758));
-        let t123 = fma(fma(fma(15.716111 * t121, t121, 9.961183), t121, -2.61785), t121, 0.8681748);
-        let t124 = fma(fma(t122, t120, fma(fma(-49.13454, t121, -9.466533), t121, -1.5877596)), t120, t123);
-        let t125 = t120 * t124;
-        let t126 = fma(fma(7.295638, t120, -7.236236), t120, fma(-11.4868555 * t121 * t121, t121, 3.1255686));
-        let t127 = fma(fma(fma(13.728438, t121, -7.981878), t121, 2.025724), t121, -0.7334958);
-        let t128 = t120 * fma(t126, t120, t127);
-        let t129 = fma(fma(-23.220068, t121, 7.332055), t120, fma(fma(9.986537, t121, 25.22195) * t121, t121, -2.9581387));
-        let t130 = fma(fma(fma(-19.722994, t121, 4.6594768), t121, -0.89538246), t121, 0.5143498);
-        let t131 = t120 * fma(t129, t120, t130);
-        let t132 = fma(fma(fma(1.946617, t120, -3.077631), t120, 1.4945927), t120, -0.24140751);
-        let t133 = t120 * t132;
-        let t134 = t120 * fma(fma(0.38173297, t120, -0.30305624), t120, 0.05897375);
-        b_1 = t119 - b_0 + t125;
-        b_2 = t128 - t125;
-        b_3 = t131 - t128;
-        b_4 = t133 - t131;
-        b_5 = t134 - t133;
-        b_6 = -t134;
+        let t108 = 1.0 + kappa;
+        let t109 = t108 * shape;
+        let t110 = 1.0 / (norm * t109);
+        let t111 = sqrt(t110);
+        b_0 = norm * t111;
+        let t112 = 1.0 / (1.0 + cut);
+        let t113 = (t_x + kappa) * t112 - 0.5;
+        let t114 = t113 * t113;
+        let t115 = fma(fma(fma(-0.026061837, t114, -0.06372378), t114, -0.11762552), t114, -0.23594604);
+        let t116 = fma(fma(fma(0.05430631, t114, 0.080950715), t114, 0.1684019), t114, 0.32709444);
+        let t117 = fma(fma(fma(t115, t114, -0.44721135), t114, -0.7754678), t113, fma(fma(t116, t114, 0.5987523), t114, 0.94559944));
+        let t118 = t108 * t117 * (t112 * t112 * t112) * (t109 * t110);
+        let t119 = fma(t118, t109 * t111, -1.0);
+        let t120 = 1.0 - t118;
+        let t121 = fma(fma(30.011856, t119, fma(-41.541264, t120, -37.009792)), t119, fma(77.96775, t120, 7.470758));
+        let t122 = fma(fma(fma(15.716111 * t120, t120, 9.961183), t120, -2.61785), t120, 0.8681748);
+        let t123 = fma(fma(t121, t119, fma(fma(-49.13454, t120, -9.466533), t120, -1.5877596)), t119, t122);
+        let t124 = t119 * t123;
+        let t125 = fma(fma(7.295638, t119, -7.236236), t119, fma(-11.4868555 * t120 * t120, t120, 3.1255686));
+        let t126 = fma(fma(fma(13.728438, t120, -7.981878), t120, 2.025724), t120, -0.7334958);
+        let t127 = t119 * fma(t125, t119, t126);
+        let t128 = fma(fma(-23.220068, t120, 7.332055), t119, fma(fma(9.986537, t120, 25.22195) * t120, t120, -2.9581387));
+        let t129 = fma(fma(fma(-19.722994, t120, 4.6594768), t120, -0.89538246), t120, 0.5143498);
+        let t130 = t119 * fma(t128, t119, t129);
+        let t131 = fma(fma(fma(1.946617, t119, -3.077631), t119, 1.4945927), t119, -0.24140751);
+        let t132 = t119 * t131;
+        let t133 = t119 * fma(fma(0.38173297, t119, -0.30305624), t119, 0.05897375);
+        b_1 = t118 - b_0 + t124;
+        b_2 = t127 - t124;
+        b_3 = t130 - t127;
+        b_4 = t132 - t130;
+        b_5 = t133 - t132;
+        b_6 = -t133;
     }
-    let t135 = 0.0 < t105;
-    let t136 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t100);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t136, 0.0 < t136), t135);
-    let t137 = 0.0 < inv_solid_angle && t135;
-    let t138 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t103 || t137);
+    let t134 = 0.0 < defensive_share;
+    let t135 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t100);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t135, 0.0 < t135), t134);
+    let t136 = 0.0 < inv_solid_angle && t134;
+    let t137 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t103 || t136);
     return spherecap_front_light(
-        t138, select(0.0, t136 * 6.2831855, t138), select(0.0, projected_above, t138), towards_centre,
+        t137, select(0.0, t135 * 6.2831855, t137), select(0.0, projected_above, t137), towards_centre,
         sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t105, defensive,
-        inv_above,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
+        defensive, inv_above,
         vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        select(0.0, t136, t135), inv_solid_angle, select(0.0, t107, t106),
-        select(1.0, 1.0 / (1.0 - t107), t106), beyond, elevation_cos * radius_cos, radius_sin * t96, climb,
+        select(0.0, t135, t134), inv_solid_angle, select(0.0, t106, t105),
+        select(1.0, 1.0 / (1.0 - t106), t105), beyond, elevation_cos * radius_cos, radius_sin * t96, climb,
         b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
@@ -764,13 +763,13 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         return spherecap_no_sample();
     }
     let t1 = abs(light.elevation_sin);
-    let t2 = 0.0 < light.defensive;
+    let t2 = 0.0 < light.defensive_share;
     let t3 = min(0.99999994, max(5.9604645e-8, u0));
     let t4 = min(0.99999994, max(5.9604645e-8, u1));
-    let t5 = t3 < light.defensive && t2;
-    let t6 = 1.0 - light.defensive;
-    let t7 = max(5.9604645e-8, select(t3 - light.defensive, t3, t5) / select(t6, light.defensive, t5));
-    let t8 = select(t3, min(0.99999994, t7), 0.0 < light.requested);
+    let t5 = t3 < light.defensive_share && t2;
+    let t6 = 1.0 - light.defensive_share;
+    let t7 = select(t3 - light.defensive_share, t3, t5) / select(t6, light.defensive_share, t5);
+    let t8 = select(t3, min(0.99999994, max(5.9604645e-8, t7)), 0.0 < light.requested);
     let t9 = !(0.0 < light.tau) || t5;
     let t10 = !(0.0 < light.elevation_sin) && !t9;
     let t11 = light.crescent_share <= t8 && !t10;
@@ -778,50 +777,49 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     let t13 = 1.0 - t4;
     let t14 = t4 - t13;
     let t15 = 4.0 * t4 * t13;
-    var t16: f32;
-    var t17: f32;
-    var t18: f32;
-    var t19: f32;
+    let t16 = min(0.99999994, max(5.9604645e-8, (t8 - light.crescent_share) * light.inv_rest));
+    let t17 = select(t16, t8, t9);
+    let t18 = select(light.beyond, 0.0, t9);
+    let t19 = 3.1415927 - t18;
+    let t20 = fma(t17, t19, t18);
+    let t21 = (1.0 - t17) * t19;
+    var t23: f32;
+    var t24: f32;
+    var t25: f32;
+    var t22 = 0.0;
     if (t12) {
-        let t20 = min(0.99999994, max(5.9604645e-8, (t8 - light.crescent_share) * light.inv_rest));
-        let t21 = select(t20, t8, t9);
-        let t22 = select(light.beyond, 0.0, t9);
-        let t23 = 3.1415927 - t22;
-        let t24 = fma(t21, t23, t22);
-        let t25 = (1.0 - t21) * t23;
-        t16 = min(t25, t24) * 0.53033006;
-        t17 = 1.0;
-        t18 = 1.0;
-        t19 = t24 - t25;
+        t23 = min(t21, t20) * 0.53033006;
+        t24 = 1.0;
+        t25 = 1.0;
     } else {
         let t26 = sqrt(t15);
         let t27 = fma(fma(fma(light.b_5, t15, light.b_3), t15, light.b_1), t26, fma(fma(fma(light.b_6, t15, light.b_4), t15, light.b_2), t15, light.b_0));
         let t28 = t26 * t27;
         let t29 = sqrt(fma(t14, t14, t28 * t28));
         let t30 = light.tau * t28;
-        t18 = select(1.0, fma(t14, t14, t30 * t30), t10);
+        t25 = select(1.0, fma(t14, t14, t30 * t30), t10);
         let t31 = select(light.crescent_share, fma(light.kappa, t28, t29) * fma(light.cut, t28, t29), t10);
         let t32 = select(t8, light.width, t10) / t31;
         let t33 = select(light.width, t32, t10);
-        let t34 = t18 * t33;
+        let t34 = t25 * t33;
         let t35 = t34 * t34;
         let t36 = fma(fma(fma(-0.00060778117, t35, -0.0027203285), t35, -0.10000902), t34, fma(fma(1.0676054e-5, t35, -0.011332183), t35, 1.0000001));
-        t16 = select(min(0.99999994, max(5.9604645e-8, t32)), t8, t10);
-        t17 = t33 * t36;
-        t19 = select(t26, t30, t10);
+        t22 = select(t26, t30, t10);
+        t23 = select(min(0.99999994, max(5.9604645e-8, t32)), t8, t10);
+        t24 = t33 * t36;
     }
-    let t37 = spherecap_float_of_bits(fma(spherecap_bits(t16), -0.33333334, 1419900500.0));
-    let t38 = fma(-(t16 * t37), t37 * t37, 1.0);
+    let t37 = spherecap_float_of_bits(fma(spherecap_bits(t23), -0.33333334, 1419900500.0));
+    let t38 = fma(-(t23 * t37), t37 * t37, 1.0);
     let t39 = t38 * t38;
     let t40 = fma(fma(fma(0.110958695, t39, 0.14403293), t39, 0.22222222), t38, fma(fma(0.12482853, t39, 0.17283951), t39, 0.33333334));
-    let t41 = t17 * (t16 * fma(t37, t38 * t40, t37));
-    let t42 = t41 * t18;
+    let t41 = t24 * (t23 * fma(t37, t38 * t40, t37));
+    let t42 = t41 * t25;
     let t43 = t42 * t42;
     let t44 = fma(fma(fma(-0.063446075, t43, -0.056249518), t43, 0.0074712755), t43, 0.09996679);
     let t45 = fma(fma(fma(0.022114987, t43, 0.085662976), t43, 0.030445365), t43, 0.03209764);
     let t46 = t41 * fma(t44, t42, fma(t45, t43, 1.0000004));
     let t47 = select(t46, min(1.0, t46), t12);
-    let t48 = t18 * t47;
+    let t48 = t25 * t47;
     let t49 = 2.0 - t48;
     let t50 = t47 * t49;
     let t51 = sqrt(t50);
@@ -831,7 +829,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     var t52: f32;
     var t53: f32;
     if (t12) {
-        let t54 = select(t49, t48, t19 < 0.0);
+        let t54 = select(t49, t48, t20 - t21 < 0.0);
         let t55 = t50 * t15;
         if (t5) {
             let t56 = light.height * (1.0 - t55);
@@ -854,7 +852,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
             cosine = t53;
         }
     } else {
-        cosine = t51 * t19;
+        cosine = t51 * t22;
         t52 = 1.0 - t48;
         zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t10) * t52));
         side = t51 * t14;
@@ -862,7 +860,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     }
     let t63 = min(3.4028235e38, abs(cosine));
     let t64 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t65 = light.defensive * light.inv_solid_angle;
+    let t65 = light.defensive_share * light.inv_solid_angle;
     let t66 = min(3.4028235e38, fma(t64, t6, min(3.4028235e38, t65 / max(1.1754944e-38, t63))));
     let t67 = fma(zenith, zenith, side * side);
     let t68 = max(0.0, fma(light.radius_sin, light.radius_sin, -t67));
@@ -897,8 +895,8 @@ fn spherecap_front_pdf_direction(light: spherecap_front_light, direction: vec3f)
     let t4 = select(dot(light.sideways, direction), 1.0, t2);
     let t5 = min(3.4028235e38, abs(t1));
     let t6 = select(0.0, light.inv_above, 0.0 < t1);
-    let t7 = fma(t6, (1.0 - light.defensive) * t5, light.defensive * light.inv_solid_angle);
-    let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t7 = fma(t6, (1.0 - light.defensive_share) * t5, light.defensive_share * light.inv_solid_angle);
+    let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive_share), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
     let t9 = dot(direction, direction);
     return select(0.0, t8, 0.998001 <= t9 && t9 <= 1.002001);
 }
@@ -910,9 +908,9 @@ fn spherecap_front_pdf_on_sphere(light: spherecap_front_light, direction: vec3f)
     let t1 = dot(light.normal, direction);
     let t2 = min(3.4028235e38, abs(t1));
     let t3 = select(0.0, light.inv_above, 0.0 < t1);
-    let t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    let t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
     let t5 = dot(direction, direction);
-    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive), 0.998001 <= t5 && t5 <= 1.002001);
+    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
     return t6;
 }
 
@@ -980,11 +978,11 @@ struct spherecap_both_light {
     width: f32,
     cut: f32,
     rise: f32,
-    defensive: f32,
+    defensive_share: f32,
     requested: f32,
     inv_above: f32,
     inv_below: f32,
-    share_above: f32,
+    sides_share: f32,
     third_axis: vec3f,
     height: f32,
     inv_solid_angle: f32,
@@ -1193,11 +1191,11 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     let inv_below = select(0.0, 1.0 / projected_below, 0.0 < projected_below);
     let t106 = 0.0 < inv_above + inv_below;
     let t107 = select(inv_below, inv_above, t99);
-    let t108 = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t106);
-    let t109 = 0.0 < t107 && t105;
-    let t110 = t_y * t_y * t_y * shape * t107;
-    let t111 = t_y / radius_sin;
-    let t112 = fma(cut - t_x, shape_difference, shape);
+    let defensive_share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t106);
+    let t108 = 0.0 < t107 && t105;
+    let t109 = t_y * t_y * t_y * shape * t107;
+    let t110 = t_y / radius_sin;
+    let t111 = fma(cut - t_x, shape_difference, shape);
     var b_0 = 0.0;
     var b_1 = 0.0;
     var b_2 = 0.0;
@@ -1205,74 +1203,74 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     var b_4 = 0.0;
     var b_5 = 0.0;
     var b_6 = 0.0;
-    var t113 = 0.0;
+    var t112 = 0.0;
     if (t105) {
-        let t114 = 1.0 + kappa;
-        let t115 = t114 * shape;
-        let t116 = 1.0 / (norm * t115);
-        let t117 = sqrt(t116);
-        b_0 = norm * t117;
-        let t118 = 1.0 / (1.0 + cut);
-        let t119 = (t_x + kappa) * t118 - 0.5;
-        let t120 = t119 * t119;
-        let t121 = fma(fma(fma(-0.026061837, t120, -0.06372378), t120, -0.11762552), t120, -0.23594604);
-        let t122 = fma(fma(fma(0.05430631, t120, 0.080950715), t120, 0.1684019), t120, 0.32709444);
-        let t123 = fma(fma(fma(t121, t120, -0.44721135), t120, -0.7754678), t119, fma(fma(t122, t120, 0.5987523), t120, 0.94559944));
-        let t124 = t114 * t123 * (t118 * t118 * t118) * (t115 * t116);
-        let t125 = fma(t124, t115 * t117, -1.0);
-        let t126 = 1.0 - t124;
-        let t127 = fma(fma(30.011856, t125, fma(-41.541264, t126, -37.009792)), t125, fma(77.96775, t126, 7.470758));
-        let t128 = fma(fma(fma(15.716111 * t126, t126, 9.961183), t126, -2.61785), t126, 0.8681748);
-        let t129 = fma(fma(t127, t125, fma(fma(-49.13454, t126, -9.466533), t126, -1.5877596)), t125, t128);
-        let t130 = t125 * t129;
-        let t131 = fma(fma(7.295638, t125, -7.236236), t125, fma(-11.4868555 * t126 * t126, t126, 3.1255686));
-        let t132 = fma(fma(fma(13.728438, t126, -7.981878), t126, 2.025724), t126, -0.7334958);
-        let t133 = t125 * fma(t131, t125, t132);
-        let t134 = fma(fma(-23.220068, t126, 7.332055), t125, fma(fma(9.986537, t126, 25.22195) * t126, t126, -2.9581387));
-        let t135 = fma(fma(fma(-19.722994, t126, 4.6594768), t126, -0.89538246), t126, 0.5143498);
-        let t136 = t125 * fma(t134, t125, t135);
-        let t137 = fma(fma(fma(1.946617, t125, -3.077631), t125, 1.4945927), t125, -0.24140751);
-        let t138 = t125 * t137;
-        let t139 = t125 * fma(fma(0.38173297, t125, -0.30305624), t125, 0.05897375);
-        let t140 = 1.0 / (elevation_cos * elevation_cos);
-        let t141 = tau * tau;
-        let t142 = t141 * t140 / (1.0 + t_x);
-        let t143 = kappa - 0.5;
-        let t144 = cut - 0.5;
+        let t113 = 1.0 + kappa;
+        let t114 = t113 * shape;
+        let t115 = 1.0 / (norm * t114);
+        let t116 = sqrt(t115);
+        b_0 = norm * t116;
+        let t117 = 1.0 / (1.0 + cut);
+        let t118 = (t_x + kappa) * t117 - 0.5;
+        let t119 = t118 * t118;
+        let t120 = fma(fma(fma(-0.026061837, t119, -0.06372378), t119, -0.11762552), t119, -0.23594604);
+        let t121 = fma(fma(fma(0.05430631, t119, 0.080950715), t119, 0.1684019), t119, 0.32709444);
+        let t122 = fma(fma(fma(t120, t119, -0.44721135), t119, -0.7754678), t118, fma(fma(t121, t119, 0.5987523), t119, 0.94559944));
+        let t123 = t113 * t122 * (t117 * t117 * t117) * (t114 * t115);
+        let t124 = fma(t123, t114 * t116, -1.0);
+        let t125 = 1.0 - t123;
+        let t126 = fma(fma(30.011856, t124, fma(-41.541264, t125, -37.009792)), t124, fma(77.96775, t125, 7.470758));
+        let t127 = fma(fma(fma(15.716111 * t125, t125, 9.961183), t125, -2.61785), t125, 0.8681748);
+        let t128 = fma(fma(t126, t124, fma(fma(-49.13454, t125, -9.466533), t125, -1.5877596)), t124, t127);
+        let t129 = t124 * t128;
+        let t130 = fma(fma(7.295638, t124, -7.236236), t124, fma(-11.4868555 * t125 * t125, t125, 3.1255686));
+        let t131 = fma(fma(fma(13.728438, t125, -7.981878), t125, 2.025724), t125, -0.7334958);
+        let t132 = t124 * fma(t130, t124, t131);
+        let t133 = fma(fma(-23.220068, t125, 7.332055), t124, fma(fma(9.986537, t125, 25.22195) * t125, t125, -2.9581387));
+        let t134 = fma(fma(fma(-19.722994, t125, 4.6594768), t125, -0.89538246), t125, 0.5143498);
+        let t135 = t124 * fma(t133, t124, t134);
+        let t136 = fma(fma(fma(1.946617, t124, -3.077631), t124, 1.4945927), t124, -0.24140751);
+        let t137 = t124 * t136;
+        let t138 = t124 * fma(fma(0.38173297, t124, -0.30305624), t124, 0.05897375);
+        let t139 = 1.0 / (elevation_cos * elevation_cos);
+        let t140 = tau * tau;
+        let t141 = t140 * t139 / (1.0 + t_x);
+        let t142 = kappa - 0.5;
+        let t143 = cut - 0.5;
+        let t144 = t142 * t142;
         let t145 = t143 * t143;
-        let t146 = t144 * t144;
-        let t147 = fma(0.05430631, t145, 0.080950715);
-        let t148 = fma(t147, t145, 0.1684019);
-        let t149 = fma(t148, t145, 0.32709444);
-        let t150 = fma(fma(fma(fma(0.05430631, t146, t147), t146, t148), t146, t149), t146, fma(t149, t145, 0.5987523));
-        let t151 = fma(-0.026061837, t145, -0.06372378);
-        let t152 = fma(t151, t145, -0.11762552);
-        let t153 = fma(t152, t145, -0.23594604);
-        let t154 = fma(t153, t145, -0.44721135);
-        let t155 = fma(fma(fma(fma(-0.026061837, t146, t151), t146, t152), t146, t153), t146, t154);
-        let t156 = fma(kappa * t142, fma(fma(t144, t155, t150), t143 + t144, fma(t154, t145, -0.7754678)), fma(t112, t142 - kappa * kappa, kappa) * t140);
-        b_1 = t124 - b_0 + t130;
-        b_2 = t133 - t130;
-        b_3 = t136 - t133;
-        b_4 = t138 - t136;
-        b_5 = t139 - t138;
-        b_6 = -t139;
-        t113 = min(0.5, max(0.0, t141 * tau * (radius_cos + 1.0) * t156 * 0.31830987));
+        let t146 = fma(0.05430631, t144, 0.080950715);
+        let t147 = fma(t146, t144, 0.1684019);
+        let t148 = fma(t147, t144, 0.32709444);
+        let t149 = fma(fma(fma(fma(0.05430631, t145, t146), t145, t147), t145, t148), t145, fma(t148, t144, 0.5987523));
+        let t150 = fma(-0.026061837, t144, -0.06372378);
+        let t151 = fma(t150, t144, -0.11762552);
+        let t152 = fma(t151, t144, -0.23594604);
+        let t153 = fma(t152, t144, -0.44721135);
+        let t154 = fma(fma(fma(fma(-0.026061837, t145, t150), t145, t151), t145, t152), t145, t153);
+        let t155 = fma(kappa * t141, fma(fma(t143, t154, t149), t142 + t143, fma(t153, t144, -0.7754678)), fma(t111, t141 - kappa * kappa, kappa) * t139);
+        b_1 = t123 - b_0 + t129;
+        b_2 = t132 - t129;
+        b_3 = t135 - t132;
+        b_4 = t137 - t135;
+        b_5 = t138 - t137;
+        b_6 = -t138;
+        t112 = min(0.5, max(0.0, t140 * tau * (radius_cos + 1.0) * t155 * 0.31830987));
     }
-    let t157 = 0.0 < t108;
-    let t158 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t102);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t158, 0.0 < t158), t157);
-    let share_above = select(1.0, select(0.0, select(t113, 1.0 - t113, t99), 0.0 < inv_above), 0.0 < inv_below);
-    let t159 = 0.0 < inv_solid_angle && t157;
-    let t160 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t106 || t159);
+    let t156 = 0.0 < defensive_share;
+    let t157 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t102);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t157, 0.0 < t157), t156);
+    let sides_share = select(1.0, select(0.0, select(t112, 1.0 - t112, t99), 0.0 < inv_above), 0.0 < inv_below);
+    let t158 = 0.0 < inv_solid_angle && t156;
+    let t159 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t106 || t158);
     return spherecap_both_light(
-        t160, select(0.0, t158 * 6.2831855, t160), select(0.0, projected_above, t160), towards_centre,
+        t159, select(0.0, t157 * 6.2831855, t159), select(0.0, projected_above, t159), towards_centre,
         sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t108, defensive,
-        inv_above, inv_below, share_above,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
+        defensive, inv_above, inv_below, sides_share,
         vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        select(0.0, t158, t157), inv_solid_angle, select(0.0, t110, t109),
-        select(1.0, 1.0 / (1.0 - t110), t109), select(0.0, t111 * t111 * t111 * t112, t109),
+        select(0.0, t157, t156), inv_solid_angle, select(0.0, t109, t108),
+        select(1.0, 1.0 / (1.0 - t109), t108), select(0.0, t110 * t110 * t110 * t111, t108),
         elevation_cos * radius_cos, radius_sin * t96, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
@@ -1283,16 +1281,16 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     }
     let t1 = abs(light.elevation_sin);
     let t2 = 0.0 < light.elevation_sin;
-    let t3 = 0.0 < light.defensive;
+    let t3 = 0.0 < light.defensive_share;
     let t4 = min(0.99999994, max(5.9604645e-8, u0));
     let t5 = min(0.99999994, max(5.9604645e-8, u1));
-    let t6 = t4 < light.defensive && t3;
-    let t7 = 1.0 - light.defensive;
-    let t8 = max(5.9604645e-8, select(t4 - light.defensive, t4, t6) / select(t7, light.defensive, t6));
-    let t9 = select(t4, min(0.99999994, t8), 0.0 < light.requested);
-    let t10 = t9 < light.share_above || t6;
-    let t11 = 1.0 - light.share_above;
-    let t12 = select(t9 - light.share_above, t9, t10) / select(t11, light.share_above, t10);
+    let t6 = t4 < light.defensive_share && t3;
+    let t7 = 1.0 - light.defensive_share;
+    let t8 = select(t4 - light.defensive_share, t4, t6) / select(t7, light.defensive_share, t6);
+    let t9 = select(t4, min(0.99999994, max(5.9604645e-8, t8)), 0.0 < light.requested);
+    let t10 = t9 < light.sides_share || t6;
+    let t11 = 1.0 - light.sides_share;
+    let t12 = select(t9 - light.sides_share, t9, t10) / select(t11, light.sides_share, t10);
     let t13 = t10 && t2;
     let t14 = !t10 && !t2;
     let t15 = select(min(0.99999994, max(5.9604645e-8, t12)), t9, t6);
@@ -1303,50 +1301,49 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     let t20 = 1.0 - t5;
     let t21 = t5 - t20;
     let t22 = 4.0 * t5 * t20;
-    var t23: f32;
-    var t24: f32;
-    var t25: f32;
-    var t26: f32;
+    let t23 = min(0.99999994, max(5.9604645e-8, (t15 - light.crescent_share) * light.inv_rest));
+    let t24 = select(t23, t15, t16);
+    let t25 = select(light.beyond, 0.0, t16);
+    let t26 = 3.1415927 - t25;
+    let t27 = fma(t24, t26, t25);
+    let t28 = (1.0 - t24) * t26;
+    var t30: f32;
+    var t31: f32;
+    var t32: f32;
+    var t29 = 0.0;
     if (t19) {
-        let t27 = min(0.99999994, max(5.9604645e-8, (t15 - light.crescent_share) * light.inv_rest));
-        let t28 = select(t27, t15, t16);
-        let t29 = select(light.beyond, 0.0, t16);
-        let t30 = 3.1415927 - t29;
-        let t31 = fma(t28, t30, t29);
-        let t32 = (1.0 - t28) * t30;
-        t23 = min(t32, t31) * 0.53033006;
-        t24 = 1.0;
-        t25 = 1.0;
-        t26 = t31 - t32;
+        t30 = min(t28, t27) * 0.53033006;
+        t31 = 1.0;
+        t32 = 1.0;
     } else {
         let t33 = sqrt(t22);
         let t34 = fma(fma(fma(light.b_5, t22, light.b_3), t22, light.b_1), t33, fma(fma(fma(light.b_6, t22, light.b_4), t22, light.b_2), t22, light.b_0));
         let t35 = t33 * t34;
         let t36 = sqrt(fma(t21, t21, t35 * t35));
         let t37 = light.tau * t35;
-        t25 = select(1.0, fma(t21, t21, t37 * t37), t17);
+        t32 = select(1.0, fma(t21, t21, t37 * t37), t17);
         let t38 = select(light.crescent_share, fma(light.kappa, t35, t36) * fma(light.cut, t35, t36), t17);
         let t39 = select(t15, light.width, t17) / t38;
         let t40 = select(light.width, t39, t17);
-        let t41 = t25 * t40;
+        let t41 = t32 * t40;
         let t42 = t41 * t41;
         let t43 = fma(fma(fma(-0.00060778117, t42, -0.0027203285), t42, -0.10000902), t41, fma(fma(1.0676054e-5, t42, -0.011332183), t42, 1.0000001));
-        t23 = select(min(0.99999994, max(5.9604645e-8, t39)), t15, t17);
-        t24 = t40 * t43;
-        t26 = select(t33, t37, t17);
+        t29 = select(t33, t37, t17);
+        t30 = select(min(0.99999994, max(5.9604645e-8, t39)), t15, t17);
+        t31 = t40 * t43;
     }
-    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t23), -0.33333334, 1419900500.0));
-    let t45 = fma(-(t23 * t44), t44 * t44, 1.0);
+    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t30), -0.33333334, 1419900500.0));
+    let t45 = fma(-(t30 * t44), t44 * t44, 1.0);
     let t46 = t45 * t45;
     let t47 = fma(fma(fma(0.110958695, t46, 0.14403293), t46, 0.22222222), t45, fma(fma(0.12482853, t46, 0.17283951), t46, 0.33333334));
-    let t48 = t24 * (t23 * fma(t44, t45 * t47, t44));
-    let t49 = t48 * t25;
+    let t48 = t31 * (t30 * fma(t44, t45 * t47, t44));
+    let t49 = t48 * t32;
     let t50 = t49 * t49;
     let t51 = fma(fma(fma(-0.063446075, t50, -0.056249518), t50, 0.0074712755), t50, 0.09996679);
     let t52 = fma(fma(fma(0.022114987, t50, 0.085662976), t50, 0.030445365), t50, 0.03209764);
     let t53 = t48 * fma(t51, t49, fma(t52, t50, 1.0000004));
     let t54 = select(t53, min(1.0, t53), t19);
-    let t55 = t25 * t54;
+    let t55 = t32 * t54;
     let t56 = 2.0 - t55;
     let t57 = t54 * t56;
     let t58 = sqrt(t57);
@@ -1356,7 +1353,7 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     var t61: f32;
     var t62: f32;
     if (t19) {
-        let t63 = select(t56, t55, t26 < 0.0);
+        let t63 = select(t56, t55, t27 - t28 < 0.0);
         let t64 = t57 * t22;
         if (t6) {
             let t65 = light.height * (1.0 - t64);
@@ -1379,7 +1376,7 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
             t62 = t60;
         }
     } else {
-        t60 = t58 * t26;
+        t60 = t58 * t29;
         t59 = 1.0 - t55;
         side = t58 * t21;
         t61 = fma(light.elevation_cos, t60, -(select(t1, -t1, t17) * t59));
@@ -1390,8 +1387,8 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     let cosine = t62 * t72;
     let t73 = t60 * t72;
     let t74 = min(3.4028235e38, abs(cosine));
-    let t75 = select(select(0.0, light.inv_below * t11, cosine < 0.0), light.inv_above * light.share_above, 0.0 < cosine);
-    let t76 = light.defensive * light.inv_solid_angle;
+    let t75 = select(select(0.0, light.inv_below * t11, cosine < 0.0), light.inv_above * light.sides_share, 0.0 < cosine);
+    let t76 = light.defensive_share * light.inv_solid_angle;
     let t77 = min(3.4028235e38, fma(t75, t7, min(3.4028235e38, t76 / max(1.1754944e-38, t74))));
     let t78 = fma(zenith, zenith, side * side);
     let t79 = max(0.0, fma(light.radius_sin, light.radius_sin, -t78));
@@ -1425,9 +1422,9 @@ fn spherecap_both_pdf_direction(light: spherecap_both_light, direction: vec3f) -
     let t3 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t2);
     let t4 = select(dot(light.sideways, direction), 1.0, t2);
     let t5 = min(3.4028235e38, abs(t1));
-    let t6 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t1 < 0.0), light.inv_above * light.share_above, 0.0 < t1);
-    let t7 = fma(t6, (1.0 - light.defensive) * t5, light.defensive * light.inv_solid_angle);
-    let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t6 = select(select(0.0, light.inv_below * (1.0 - light.sides_share), t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
+    let t7 = fma(t6, (1.0 - light.defensive_share) * t5, light.defensive_share * light.inv_solid_angle);
+    let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive_share), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
     let t9 = dot(direction, direction);
     return select(0.0, t8, 0.998001 <= t9 && t9 <= 1.002001);
 }
@@ -1438,10 +1435,10 @@ fn spherecap_both_pdf_on_sphere(light: spherecap_both_light, direction: vec3f) -
     }
     let t1 = dot(light.normal, direction);
     let t2 = min(3.4028235e38, abs(t1));
-    let t3 = select(select(0.0, light.inv_below * (1.0 - light.share_above), t1 < 0.0), light.inv_above * light.share_above, 0.0 < t1);
-    let t4 = fma(t3, (1.0 - light.defensive) * t2, light.defensive * light.inv_solid_angle);
+    let t3 = select(select(0.0, light.inv_below * (1.0 - light.sides_share), t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
+    let t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
     let t5 = dot(direction, direction);
-    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive), 0.998001 <= t5 && t5 <= 1.002001);
+    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
     return t6;
 }
 

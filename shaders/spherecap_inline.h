@@ -332,54 +332,54 @@ static inline spherecap_inline_sample spherecap_inline_surface_sample(const sphe
     const float t8 = 1.0f - t5;
     const float t9 = t5 - t8;
     const float t10 = 4.0f * t5 * t8;
-    float t11, t12, t13, t14;
+    const float t11 = spherecap_inline_max((t4 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t12 = t2 ? spherecap_inline_min(t11, 0.99999994f) : t4;
+    const float t13 = t2 ? light->beyond : 0.0f;
+    const float t14 = 3.1415927f - t13;
+    const float t15 = fmaf(t12, t14, t13);
+    const float t16 = (1.0f - t12) * t14;
+    float t18, t19, t20;
+    float t17 = 0.0f;
     if (t7) {
-        const float t15 = spherecap_inline_max((t4 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-        const float t16 = t2 ? spherecap_inline_min(t15, 0.99999994f) : t4;
-        const float t17 = t2 ? light->beyond : 0.0f;
-        const float t18 = 3.1415927f - t17;
-        const float t19 = fmaf(t16, t18, t17);
-        const float t20 = (1.0f - t16) * t18;
-        t11 = spherecap_inline_min(t19, t20) * 0.53033006f;
-        t12 = 1.0f;
-        t13 = 1.0f;
-        t14 = t19 - t20;
+        t18 = spherecap_inline_min(t15, t16) * 0.53033006f;
+        t19 = 1.0f;
+        t20 = 1.0f;
     } else {
         const float t21 = sqrtf(t10);
         const float t22 = fmaf(fmaf(fmaf(light->b_6, t10, light->b_4), t10, light->b_2), t10, light->b_0);
         const float t23 = t21 * fmaf(fmaf(fmaf(light->b_5, t10, light->b_3), t10, light->b_1), t21, t22);
         const float t24 = sqrtf(fmaf(t9, t9, t23 * t23));
         const float t25 = light->tau * t23;
-        t13 = t3 ? fmaf(t9, t9, t25 * t25) : 1.0f;
+        t20 = t3 ? fmaf(t9, t9, t25 * t25) : 1.0f;
         const float t26 = t3 ? fmaf(light->kappa, t23, t24) * fmaf(light->cut, t23, t24) : light->crescent_share;
         const float t27 = (t3 ? light->width : t4) / t26;
         const float t28 = spherecap_inline_min(spherecap_inline_max(t27, 5.9604645e-8f), 0.99999994f);
         const float t29 = t3 ? t27 : light->width;
-        const float t30 = t13 * t29;
+        const float t30 = t20 * t29;
         const float t31 = t30 * t30;
         const float t32 = fmaf(fmaf(fmaf(-0.00060778117f, t31, -0.0027203285f), t31, -0.10000902f), t30, fmaf(fmaf(1.0676054e-5f, t31, -0.011332183f), t31, 1.0000001f));
-        t11 = t3 ? t4 : t28;
-        t12 = t29 * t32;
-        t14 = t3 ? t25 : t21;
+        t17 = t3 ? t25 : t21;
+        t18 = t3 ? t4 : t28;
+        t19 = t29 * t32;
     }
-    const float t33 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t11), -0.33333334f, 1419900500.0f));
-    const float t34 = fmaf(-(t11 * t33), t33 * t33, 1.0f);
+    const float t33 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t18), -0.33333334f, 1419900500.0f));
+    const float t34 = fmaf(-(t18 * t33), t33 * t33, 1.0f);
     const float t35 = t34 * t34;
     const float t36 = fmaf(fmaf(fmaf(0.110958695f, t35, 0.14403293f), t35, 0.22222222f), t34, fmaf(fmaf(0.12482853f, t35, 0.17283951f), t35, 0.33333334f));
-    const float t37 = t12 * (t11 * fmaf(t33, t34 * t36, t33));
-    const float t38 = t37 * t13;
+    const float t37 = t19 * (t18 * fmaf(t33, t34 * t36, t33));
+    const float t38 = t37 * t20;
     const float t39 = t38 * t38;
     const float t40 = fmaf(fmaf(fmaf(-0.063446075f, t39, -0.056249518f), t39, 0.0074712755f), t39, 0.09996679f);
     const float t41 = fmaf(fmaf(fmaf(0.022114987f, t39, 0.085662976f), t39, 0.030445365f), t39, 0.03209764f);
     const float t42 = t37 * fmaf(t40, t38, fmaf(t41, t39, 1.0000004f));
     const float t43 = t7 ? spherecap_inline_min(t42, 1.0f) : t42;
-    const float t44 = t13 * t43;
+    const float t44 = t20 * t43;
     const float t45 = 2.0f - t44;
     const float t46 = t43 * t45;
     const float t47 = sqrtf(t46);
     float zenith, side, cosine, t48;
     if (t7) {
-        const float t49 = t14 < 0.0f ? t44 : t45;
+        const float t49 = t15 - t16 < 0.0f ? t44 : t45;
         const float t50 = t46 * t10;
         const float t51 = 1.0f - t49;
         const float t52 = spherecap_inline_max(fmaf(light->climb, t49, -light->rise), 0.0f);
@@ -390,7 +390,7 @@ static inline spherecap_inline_sample spherecap_inline_surface_sample(const sphe
         side = light->radius_sin * t47 * t9;
         t48 = fmaf(light->half_axis, t51, light->middle);
     } else {
-        cosine = t47 * t14;
+        cosine = t47 * t17;
         t48 = 1.0f - t44;
         zenith = fmaf(light->elevation_cos, cosine, -((t3 ? -t1 : t1) * t48));
         side = t47 * t9;
@@ -506,7 +506,7 @@ typedef struct spherecap_inline_front_light {
     float width;
     float cut;
     float rise;
-    float defensive;
+    float defensive_share;
     float requested;
     float inv_above;
     float third_axis[3];
@@ -694,59 +694,59 @@ static inline spherecap_inline_front_light spherecap_inline_front_prepare(const 
     const float inv_above = 0.0f < projected_above ? 1.0f / projected_above : 0.0f;
     const bool t101 = 0.0f < inv_above;
     const float t102 = t96 ? inv_above : 0.0f;
-    const float t103 = t101 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
-    const bool t104 = t100 && t96 && 0.0f < t102;
-    const float t105 = t_y * t_y * t_y * shape * t102;
-    const float t106 = t_y / radius_sin;
-    const float beyond = t104 ? t106 * t106 * t106 * fmaf(cut - t_x, shape_difference, shape) : 0.0f;
+    const float defensive_share = t101 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
+    const bool t103 = t100 && t96 && 0.0f < t102;
+    const float t104 = t_y * t_y * t_y * shape * t102;
+    const float t105 = t_y / radius_sin;
+    const float beyond = t103 ? t105 * t105 * t105 * fmaf(cut - t_x, shape_difference, shape) : 0.0f;
     float b_0 = 0.0f, b_1 = 0.0f, b_2 = 0.0f, b_3 = 0.0f, b_4 = 0.0f, b_5 = 0.0f, b_6 = 0.0f;
     if (t100 && !t96) {
-        const float t107 = 1.0f + kappa;
-        const float t108 = t107 * shape;
-        const float t109 = 1.0f / (norm * t108);
-        const float t110 = sqrtf(t109);
-        b_0 = norm * t110;
-        const float t111 = 1.0f / (1.0f + cut);
-        const float t112 = (t_x + kappa) * t111 - 0.5f;
-        const float t113 = t112 * t112;
-        const float t114 = fmaf(fmaf(fmaf(-0.026061837f, t113, -0.06372378f), t113, -0.11762552f), t113, -0.23594604f);
-        const float t115 = fmaf(fmaf(fmaf(0.05430631f, t113, 0.080950715f), t113, 0.1684019f), t113, 0.32709444f);
-        const float t116 = fmaf(fmaf(fmaf(t114, t113, -0.44721135f), t113, -0.7754678f), t112, fmaf(fmaf(t115, t113, 0.5987523f), t113, 0.94559944f));
-        const float t117 = t107 * t116 * (t111 * t111 * t111) * (t108 * t109);
-        const float t118 = fmaf(t117, t108 * t110, -1.0f);
-        const float t119 = 1.0f - t117;
-        const float t120 = fmaf(fmaf(30.011856f, t118, fmaf(-41.541264f, t119, -37.009792f)), t118, fmaf(77.96775f, t119, 7.470758f));
-        const float t121 = fmaf(t120, t118, fmaf(fmaf(-49.13454f, t119, -9.466533f), t119, -1.5877596f));
-        const float t122 = fmaf(fmaf(fmaf(15.716111f, t119, 0.0f), t119, 9.961183f), t119, -2.61785f);
-        const float t123 = t118 * fmaf(t121, t118, fmaf(t122, t119, 0.8681748f));
-        const float t124 = fmaf(fmaf(7.295638f, t118, -7.236236f), t118, fmaf(fmaf(fmaf(-11.4868555f, t119, 0.0f), t119, 0.0f), t119, 3.1255686f));
-        const float t125 = fmaf(fmaf(fmaf(13.728438f, t119, -7.981878f), t119, 2.025724f), t119, -0.7334958f);
-        const float t126 = t118 * fmaf(t124, t118, t125);
-        const float t127 = fmaf(fmaf(fmaf(9.986537f, t119, 25.22195f), t119, 0.0f), t119, -2.9581387f);
-        const float t128 = fmaf(fmaf(fmaf(-19.722994f, t119, 4.6594768f), t119, -0.89538246f), t119, 0.5143498f);
-        const float t129 = t118 * fmaf(fmaf(fmaf(-23.220068f, t119, 7.332055f), t118, t127), t118, t128);
-        const float t130 = fmaf(fmaf(fmaf(1.946617f, t118, -3.077631f), t118, 1.4945927f), t118, -0.24140751f);
-        const float t131 = t118 * t130;
-        const float t132 = t118 * fmaf(fmaf(0.38173297f, t118, -0.30305624f), t118, 0.05897375f);
-        b_1 = t117 - b_0 + t123;
-        b_2 = t126 - t123;
-        b_3 = t129 - t126;
-        b_4 = t131 - t129;
-        b_5 = t132 - t131;
-        b_6 = -t132;
+        const float t106 = 1.0f + kappa;
+        const float t107 = t106 * shape;
+        const float t108 = 1.0f / (norm * t107);
+        const float t109 = sqrtf(t108);
+        b_0 = norm * t109;
+        const float t110 = 1.0f / (1.0f + cut);
+        const float t111 = (t_x + kappa) * t110 - 0.5f;
+        const float t112 = t111 * t111;
+        const float t113 = fmaf(fmaf(fmaf(-0.026061837f, t112, -0.06372378f), t112, -0.11762552f), t112, -0.23594604f);
+        const float t114 = fmaf(fmaf(fmaf(0.05430631f, t112, 0.080950715f), t112, 0.1684019f), t112, 0.32709444f);
+        const float t115 = fmaf(fmaf(fmaf(t113, t112, -0.44721135f), t112, -0.7754678f), t111, fmaf(fmaf(t114, t112, 0.5987523f), t112, 0.94559944f));
+        const float t116 = t106 * t115 * (t110 * t110 * t110) * (t107 * t108);
+        const float t117 = fmaf(t116, t107 * t109, -1.0f);
+        const float t118 = 1.0f - t116;
+        const float t119 = fmaf(fmaf(30.011856f, t117, fmaf(-41.541264f, t118, -37.009792f)), t117, fmaf(77.96775f, t118, 7.470758f));
+        const float t120 = fmaf(t119, t117, fmaf(fmaf(-49.13454f, t118, -9.466533f), t118, -1.5877596f));
+        const float t121 = fmaf(fmaf(fmaf(15.716111f, t118, 0.0f), t118, 9.961183f), t118, -2.61785f);
+        const float t122 = t117 * fmaf(t120, t117, fmaf(t121, t118, 0.8681748f));
+        const float t123 = fmaf(fmaf(7.295638f, t117, -7.236236f), t117, fmaf(fmaf(fmaf(-11.4868555f, t118, 0.0f), t118, 0.0f), t118, 3.1255686f));
+        const float t124 = fmaf(fmaf(fmaf(13.728438f, t118, -7.981878f), t118, 2.025724f), t118, -0.7334958f);
+        const float t125 = t117 * fmaf(t123, t117, t124);
+        const float t126 = fmaf(fmaf(fmaf(9.986537f, t118, 25.22195f), t118, 0.0f), t118, -2.9581387f);
+        const float t127 = fmaf(fmaf(fmaf(-19.722994f, t118, 4.6594768f), t118, -0.89538246f), t118, 0.5143498f);
+        const float t128 = t117 * fmaf(fmaf(fmaf(-23.220068f, t118, 7.332055f), t117, t126), t117, t127);
+        const float t129 = fmaf(fmaf(fmaf(1.946617f, t117, -3.077631f), t117, 1.4945927f), t117, -0.24140751f);
+        const float t130 = t117 * t129;
+        const float t131 = t117 * fmaf(fmaf(0.38173297f, t117, -0.30305624f), t117, 0.05897375f);
+        b_1 = t116 - b_0 + t122;
+        b_2 = t125 - t122;
+        b_3 = t128 - t125;
+        b_4 = t130 - t128;
+        b_5 = t131 - t130;
+        b_6 = -t131;
     }
-    const bool t133 = 0.0f < t103;
-    const float t134 = (0.0f < radius_cos && t98) ? t95 / (1.0f + radius_cos) : 0.0f;
-    const float inv_solid_angle = t133 ? (0.0f < t134 ? 0.15915494f / t134 : 0.0f) : 0.0f;
-    const bool t135 = 0.0f < inv_solid_angle && t133;
-    const bool t136 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t101 || t135);
+    const bool t132 = 0.0f < defensive_share;
+    const float t133 = (0.0f < radius_cos && t98) ? t95 / (1.0f + radius_cos) : 0.0f;
+    const float inv_solid_angle = t132 ? (0.0f < t133 ? 0.15915494f / t133 : 0.0f) : 0.0f;
+    const bool t134 = 0.0f < inv_solid_angle && t132;
+    const bool t135 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t101 || t134);
     const spherecap_inline_front_light result = {
-        t136, t136 ? t134 * 6.2831855f : 0.0f, t136 ? projected_above : 0.0f,
+        t135, t135 ? t133 * 6.2831855f : 0.0f, t135 ? projected_above : 0.0f,
         {t13 * t93, t14 * t93, t15 * t93}, {sideways_x, sideways_y, sideways_z},
         {normal_x, normal_y, normal_z}, {up_x, up_y, up_z}, on_surface, distance, radius_sin, radius_cos,
-        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t103, defensive, inv_above,
+        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, defensive, inv_above,
         {fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))},
-        t133 ? t134 : 0.0f, inv_solid_angle, t104 ? t105 : 0.0f, t104 ? 1.0f / (1.0f - t105) : 1.0f, beyond,
+        t132 ? t133 : 0.0f, inv_solid_angle, t103 ? t104 : 0.0f, t103 ? 1.0f / (1.0f - t104) : 1.0f, beyond,
         elevation_cos * radius_cos, radius_sin * t94, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     };
     return result;
@@ -758,122 +758,123 @@ static inline spherecap_inline_sample spherecap_inline_front_sample(const sphere
         return spherecap_inline_no_sample();
     }
     const float t1 = fabsf(light->elevation_sin);
-    const bool t2 = 0.0f < light->defensive;
+    const bool t2 = 0.0f < light->defensive_share;
     const float t3 = spherecap_inline_min(spherecap_inline_max(u0, 5.9604645e-8f), 0.99999994f);
     const float t4 = spherecap_inline_min(spherecap_inline_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t5 = t3 < light->defensive && t2;
-    const float t6 = 1.0f - light->defensive;
-    const float t7 = spherecap_inline_max((t5 ? t3 : t3 - light->defensive) / (t5 ? light->defensive : t6), 5.9604645e-8f);
-    const float t8 = 0.0f < light->requested ? spherecap_inline_min(t7, 0.99999994f) : t3;
-    const bool t9 = !(0.0f < light->tau) || t5;
-    const bool t10 = !(0.0f < light->elevation_sin) && !t9;
-    const bool t11 = light->crescent_share <= t8 && !t10;
-    const bool t12 = t9 || t11;
-    const float t13 = 1.0f - t4;
-    const float t14 = t4 - t13;
-    const float t15 = 4.0f * t4 * t13;
-    float t16, t17, t18, t19;
-    if (t12) {
-        const float t20 = spherecap_inline_max((t8 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-        const float t21 = t9 ? t8 : spherecap_inline_min(t20, 0.99999994f);
-        const float t22 = t9 ? 0.0f : light->beyond;
-        const float t23 = 3.1415927f - t22;
-        const float t24 = fmaf(t21, t23, t22);
-        const float t25 = (1.0f - t21) * t23;
-        t16 = spherecap_inline_min(t24, t25) * 0.53033006f;
-        t17 = 1.0f;
-        t18 = 1.0f;
-        t19 = t24 - t25;
+    const bool t5 = t3 < light->defensive_share && t2;
+    const float t6 = 1.0f - light->defensive_share;
+    const float t7 = (t5 ? t3 : t3 - light->defensive_share) / (t5 ? light->defensive_share : t6);
+    const float t8 = spherecap_inline_min(spherecap_inline_max(t7, 5.9604645e-8f), 0.99999994f);
+    const float t9 = 0.0f < light->requested ? t8 : t3;
+    const bool t10 = !(0.0f < light->tau) || t5;
+    const bool t11 = !(0.0f < light->elevation_sin) && !t10;
+    const bool t12 = light->crescent_share <= t9 && !t11;
+    const bool t13 = t10 || t12;
+    const float t14 = 1.0f - t4;
+    const float t15 = t4 - t14;
+    const float t16 = 4.0f * t4 * t14;
+    const float t17 = spherecap_inline_max((t9 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t18 = t10 ? t9 : spherecap_inline_min(t17, 0.99999994f);
+    const float t19 = t10 ? 0.0f : light->beyond;
+    const float t20 = 3.1415927f - t19;
+    const float t21 = fmaf(t18, t20, t19);
+    const float t22 = (1.0f - t18) * t20;
+    float t24, t25, t26;
+    float t23 = 0.0f;
+    if (t13) {
+        t24 = spherecap_inline_min(t21, t22) * 0.53033006f;
+        t25 = 1.0f;
+        t26 = 1.0f;
     } else {
-        const float t26 = sqrtf(t15);
-        const float t27 = fmaf(fmaf(fmaf(light->b_6, t15, light->b_4), t15, light->b_2), t15, light->b_0);
-        const float t28 = t26 * fmaf(fmaf(fmaf(light->b_5, t15, light->b_3), t15, light->b_1), t26, t27);
-        const float t29 = sqrtf(fmaf(t14, t14, t28 * t28));
-        const float t30 = light->tau * t28;
-        t18 = t10 ? fmaf(t14, t14, t30 * t30) : 1.0f;
-        const float t31 = t10 ? fmaf(light->kappa, t28, t29) * fmaf(light->cut, t28, t29) : light->crescent_share;
-        const float t32 = (t10 ? light->width : t8) / t31;
-        const float t33 = spherecap_inline_min(spherecap_inline_max(t32, 5.9604645e-8f), 0.99999994f);
-        const float t34 = t10 ? t32 : light->width;
-        const float t35 = t18 * t34;
-        const float t36 = t35 * t35;
-        const float t37 = fmaf(fmaf(fmaf(-0.00060778117f, t36, -0.0027203285f), t36, -0.10000902f), t35, fmaf(fmaf(1.0676054e-5f, t36, -0.011332183f), t36, 1.0000001f));
-        t16 = t10 ? t8 : t33;
-        t17 = t34 * t37;
-        t19 = t10 ? t30 : t26;
+        const float t27 = sqrtf(t16);
+        const float t28 = fmaf(fmaf(fmaf(light->b_6, t16, light->b_4), t16, light->b_2), t16, light->b_0);
+        const float t29 = t27 * fmaf(fmaf(fmaf(light->b_5, t16, light->b_3), t16, light->b_1), t27, t28);
+        const float t30 = sqrtf(fmaf(t15, t15, t29 * t29));
+        const float t31 = light->tau * t29;
+        t26 = t11 ? fmaf(t15, t15, t31 * t31) : 1.0f;
+        const float t32 = t11 ? fmaf(light->kappa, t29, t30) * fmaf(light->cut, t29, t30) : light->crescent_share;
+        const float t33 = (t11 ? light->width : t9) / t32;
+        const float t34 = spherecap_inline_min(spherecap_inline_max(t33, 5.9604645e-8f), 0.99999994f);
+        const float t35 = t11 ? t33 : light->width;
+        const float t36 = t26 * t35;
+        const float t37 = t36 * t36;
+        const float t38 = fmaf(fmaf(fmaf(-0.00060778117f, t37, -0.0027203285f), t37, -0.10000902f), t36, fmaf(fmaf(1.0676054e-5f, t37, -0.011332183f), t37, 1.0000001f));
+        t23 = t11 ? t31 : t27;
+        t24 = t11 ? t9 : t34;
+        t25 = t35 * t38;
     }
-    const float t38 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t16), -0.33333334f, 1419900500.0f));
-    const float t39 = fmaf(-(t16 * t38), t38 * t38, 1.0f);
-    const float t40 = t39 * t39;
-    const float t41 = fmaf(fmaf(fmaf(0.110958695f, t40, 0.14403293f), t40, 0.22222222f), t39, fmaf(fmaf(0.12482853f, t40, 0.17283951f), t40, 0.33333334f));
-    const float t42 = t17 * (t16 * fmaf(t38, t39 * t41, t38));
-    const float t43 = t42 * t18;
-    const float t44 = t43 * t43;
-    const float t45 = fmaf(fmaf(fmaf(-0.063446075f, t44, -0.056249518f), t44, 0.0074712755f), t44, 0.09996679f);
-    const float t46 = fmaf(fmaf(fmaf(0.022114987f, t44, 0.085662976f), t44, 0.030445365f), t44, 0.03209764f);
-    const float t47 = t42 * fmaf(t45, t43, fmaf(t46, t44, 1.0000004f));
-    const float t48 = t12 ? spherecap_inline_min(t47, 1.0f) : t47;
-    const float t49 = t18 * t48;
-    const float t50 = 2.0f - t49;
-    const float t51 = t48 * t50;
-    const float t52 = sqrtf(t51);
-    float zenith, side, cosine, t53, t54;
-    if (t12) {
-        const float t55 = t19 < 0.0f ? t49 : t50;
-        const float t56 = t51 * t15;
+    const float t39 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t24), -0.33333334f, 1419900500.0f));
+    const float t40 = fmaf(-(t24 * t39), t39 * t39, 1.0f);
+    const float t41 = t40 * t40;
+    const float t42 = fmaf(fmaf(fmaf(0.110958695f, t41, 0.14403293f), t41, 0.22222222f), t40, fmaf(fmaf(0.12482853f, t41, 0.17283951f), t41, 0.33333334f));
+    const float t43 = t25 * (t24 * fmaf(t39, t40 * t42, t39));
+    const float t44 = t43 * t26;
+    const float t45 = t44 * t44;
+    const float t46 = fmaf(fmaf(fmaf(-0.063446075f, t45, -0.056249518f), t45, 0.0074712755f), t45, 0.09996679f);
+    const float t47 = fmaf(fmaf(fmaf(0.022114987f, t45, 0.085662976f), t45, 0.030445365f), t45, 0.03209764f);
+    const float t48 = t43 * fmaf(t46, t44, fmaf(t47, t45, 1.0000004f));
+    const float t49 = t13 ? spherecap_inline_min(t48, 1.0f) : t48;
+    const float t50 = t26 * t49;
+    const float t51 = 2.0f - t50;
+    const float t52 = t49 * t51;
+    const float t53 = sqrtf(t52);
+    float zenith, side, cosine, t54, t55;
+    if (t13) {
+        const float t56 = t21 - t22 < 0.0f ? t50 : t51;
+        const float t57 = t52 * t16;
         if (t5) {
-            const float t57 = light->height * (1.0f - t56);
-            const float t58 = sqrtf(light->height * (2.0f - t57));
-            zenith = (t55 - 1.0f) * t58;
-            const float t59 = 1.0f - t57;
-            t54 = fmaf(light->elevation_sin, t59, light->elevation_cos * zenith);
-            t53 = fmaf(light->elevation_cos, t59, -(light->elevation_sin * zenith));
-            side = t52 * t14 * t58;
-            cosine = t54 * light->on_surface;
+            const float t58 = light->height * (1.0f - t57);
+            const float t59 = sqrtf(light->height * (2.0f - t58));
+            zenith = (t56 - 1.0f) * t59;
+            const float t60 = 1.0f - t58;
+            t55 = fmaf(light->elevation_sin, t60, light->elevation_cos * zenith);
+            t54 = fmaf(light->elevation_cos, t60, -(light->elevation_sin * zenith));
+            side = t53 * t15 * t59;
+            cosine = t55 * light->on_surface;
         } else {
-            const float t60 = 1.0f - t55;
-            const float t61 = spherecap_inline_max(fmaf(light->climb, t55, -light->rise), 0.0f);
-            t54 = sqrtf(fmaf(t61, t61, light->radius_sin * light->radius_sin * t56));
-            const float t62 = t1 * light->radius_cos;
-            const float t63 = fmaf(light->elevation_cos * t60, fmaf(light->climb, t60, -2.0f * t62), light->radius_sin * t56);
-            zenith = light->radius_sin * fmaf(light->elevation_cos, t63 / (t54 + t62), -(t1 * t1 * t60));
-            t53 = fmaf(light->half_axis, t60, light->middle);
-            side = light->radius_sin * t52 * t14;
-            cosine = t54;
+            const float t61 = 1.0f - t56;
+            const float t62 = spherecap_inline_max(fmaf(light->climb, t56, -light->rise), 0.0f);
+            t55 = sqrtf(fmaf(t62, t62, light->radius_sin * light->radius_sin * t57));
+            const float t63 = t1 * light->radius_cos;
+            const float t64 = fmaf(light->elevation_cos * t61, fmaf(light->climb, t61, -2.0f * t63), light->radius_sin * t57);
+            zenith = light->radius_sin * fmaf(light->elevation_cos, t64 / (t55 + t63), -(t1 * t1 * t61));
+            t54 = fmaf(light->half_axis, t61, light->middle);
+            side = light->radius_sin * t53 * t15;
+            cosine = t55;
         }
     } else {
-        cosine = t52 * t19;
-        t53 = 1.0f - t49;
-        zenith = fmaf(light->elevation_cos, cosine, -((t10 ? -t1 : t1) * t53));
-        side = t52 * t14;
-        t54 = cosine;
+        cosine = t53 * t23;
+        t54 = 1.0f - t50;
+        zenith = fmaf(light->elevation_cos, cosine, -((t11 ? -t1 : t1) * t54));
+        side = t53 * t15;
+        t55 = cosine;
     }
-    const float t64 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
-    const float t65 = 0.0f < cosine ? light->inv_above : 0.0f;
-    const float t66 = light->defensive * light->inv_solid_angle;
-    const float t67 = spherecap_inline_min(t66 / spherecap_inline_max(t64, 1.1754944e-38f), 3.4028235e38f);
-    const float t68 = fmaf(zenith, zenith, side * side);
-    const float t69 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t68), 0.0f);
-    const float t70 = sqrtf(t69);
-    const float t71 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t69));
-    const float t72 = light->radius_cos * light->radius_cos / (t71 + t70);
-    const float t73 = 1.0f / light->radius_sin;
-    const float t74 = t72 * t73;
-    const float t75 = -fmaf(t71, t70, t68) * t73;
-    const float t76 = t74 * zenith;
-    const float t77 = t74 * side;
-    const float t78 = fmaf(light->third_axis[0], t53, fmaf(light->sideways[0], side, light->up[0] * t54));
-    const float t79 = fmaf(light->third_axis[1], t53, fmaf(light->sideways[1], side, light->up[1] * t54));
-    const float t80 = fmaf(light->third_axis[2], t53, fmaf(light->sideways[2], side, light->up[2] * t54));
-    const float t81 = fmaf(light->elevation_cos, t75, -(light->elevation_sin * t76));
-    const float t82 = fmaf(light->elevation_sin, t75, light->elevation_cos * t76);
-    const float t83 = fmaf(light->third_axis[0], t81, fmaf(light->sideways[0], t77, light->up[0] * t82));
-    const float t84 = fmaf(light->third_axis[1], t81, fmaf(light->sideways[1], t77, light->up[1] * t82));
-    const float t85 = fmaf(light->third_axis[2], t81, fmaf(light->sideways[2], t77, light->up[2] * t82));
+    const float t65 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
+    const float t66 = 0.0f < cosine ? light->inv_above : 0.0f;
+    const float t67 = light->defensive_share * light->inv_solid_angle;
+    const float t68 = spherecap_inline_min(t67 / spherecap_inline_max(t65, 1.1754944e-38f), 3.4028235e38f);
+    const float t69 = fmaf(zenith, zenith, side * side);
+    const float t70 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t69), 0.0f);
+    const float t71 = sqrtf(t70);
+    const float t72 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t70));
+    const float t73 = light->radius_cos * light->radius_cos / (t72 + t71);
+    const float t74 = 1.0f / light->radius_sin;
+    const float t75 = t73 * t74;
+    const float t76 = -fmaf(t72, t71, t69) * t74;
+    const float t77 = t75 * zenith;
+    const float t78 = t75 * side;
+    const float t79 = fmaf(light->third_axis[0], t54, fmaf(light->sideways[0], side, light->up[0] * t55));
+    const float t80 = fmaf(light->third_axis[1], t54, fmaf(light->sideways[1], side, light->up[1] * t55));
+    const float t81 = fmaf(light->third_axis[2], t54, fmaf(light->sideways[2], side, light->up[2] * t55));
+    const float t82 = fmaf(light->elevation_cos, t76, -(light->elevation_sin * t77));
+    const float t83 = fmaf(light->elevation_sin, t76, light->elevation_cos * t77);
+    const float t84 = fmaf(light->third_axis[0], t82, fmaf(light->sideways[0], t78, light->up[0] * t83));
+    const float t85 = fmaf(light->third_axis[1], t82, fmaf(light->sideways[1], t78, light->up[1] * t83));
+    const float t86 = fmaf(light->third_axis[2], t82, fmaf(light->sideways[2], t78, light->up[2] * t83));
     const spherecap_inline_sample result = {
-        {t78, t79, t80}, t72 * light->distance, {t83, t84, t85}, cosine,
-        t2 ? fmaf(t65, t6 * t64, t66) : t65 * t64,
-        t2 ? spherecap_inline_min(fmaf(t65, t6, t67), 3.4028235e38f) : t65
+        {t79, t80, t81}, t73 * light->distance, {t84, t85, t86}, cosine,
+        t2 ? fmaf(t66, t6 * t65, t67) : t66 * t65,
+        t2 ? spherecap_inline_min(fmaf(t66, t6, t68), 3.4028235e38f) : t66
     };
     return result;
 }
@@ -900,10 +901,10 @@ static inline float spherecap_inline_front_pdf_direction(const spherecap_inline_
     const float t9 = t7 ? 1.0f : fmaf(light->sideways[0], direction[0], t5);
     const float t10 = spherecap_inline_min(fabsf(t6), 3.4028235e38f);
     const float t11 = 0.0f < t6 ? light->inv_above : 0.0f;
-    const float t12 = fmaf(t11, (1.0f - light->defensive) * t10, light->defensive * light->inv_solid_angle);
+    const float t12 = fmaf(t11, (1.0f - light->defensive_share) * t10, light->defensive_share * light->inv_solid_angle);
     const bool t13 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
     const float t14 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light->defensive ? t12 : t11 * t10) : 0.0f) : 0.0f;
+    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light->defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
     return t15;
 }
 
@@ -915,9 +916,9 @@ static inline float spherecap_inline_front_pdf_on_sphere(const spherecap_inline_
     const float t1 = fmaf(light->normal[0], direction[0], fmaf(light->normal[1], direction[1], light->normal[2] * direction[2]));
     const float t2 = spherecap_inline_min(fabsf(t1), 3.4028235e38f);
     const float t3 = 0.0f < t1 ? light->inv_above : 0.0f;
-    const float t4 = fmaf(t3, (1.0f - light->defensive) * t2, light->defensive * light->inv_solid_angle);
+    const float t4 = fmaf(t3, (1.0f - light->defensive_share) * t2, light->defensive_share * light->inv_solid_angle);
     const float t5 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light->defensive ? t4 : t3 * t2) : 0.0f;
+    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light->defensive_share ? t4 : t3 * t2) : 0.0f;
     return t6;
 }
 
@@ -985,11 +986,11 @@ typedef struct spherecap_inline_both_light {
     float width;
     float cut;
     float rise;
-    float defensive;
+    float defensive_share;
     float requested;
     float inv_above;
     float inv_below;
-    float share_above;
+    float sides_share;
     float third_axis[3];
     float height;
     float inv_solid_angle;
@@ -1180,82 +1181,82 @@ static inline spherecap_inline_both_light spherecap_inline_both_prepare(const fl
     const float inv_below = 0.0f < projected_below ? 1.0f / projected_below : 0.0f;
     const bool t104 = 0.0f < inv_above + inv_below;
     const float t105 = t97 ? inv_above : inv_below;
-    const float t106 = t104 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
-    const bool t107 = 0.0f < t105 && t103;
-    const float t108 = t_y * t_y * t_y * shape * t105;
-    const float t109 = t_y / radius_sin;
-    const float t110 = fmaf(cut - t_x, shape_difference, shape);
+    const float defensive_share = t104 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
+    const bool t106 = 0.0f < t105 && t103;
+    const float t107 = t_y * t_y * t_y * shape * t105;
+    const float t108 = t_y / radius_sin;
+    const float t109 = fmaf(cut - t_x, shape_difference, shape);
     float b_0 = 0.0f, b_1 = 0.0f, b_2 = 0.0f, b_3 = 0.0f, b_4 = 0.0f, b_5 = 0.0f, b_6 = 0.0f;
-    float t111 = 0.0f;
+    float t110 = 0.0f;
     if (t103) {
-        const float t112 = 1.0f + kappa;
-        const float t113 = t112 * shape;
-        const float t114 = 1.0f / (norm * t113);
-        const float t115 = sqrtf(t114);
-        b_0 = norm * t115;
-        const float t116 = 1.0f / (1.0f + cut);
-        const float t117 = (t_x + kappa) * t116 - 0.5f;
-        const float t118 = t117 * t117;
-        const float t119 = fmaf(fmaf(fmaf(-0.026061837f, t118, -0.06372378f), t118, -0.11762552f), t118, -0.23594604f);
-        const float t120 = fmaf(fmaf(fmaf(0.05430631f, t118, 0.080950715f), t118, 0.1684019f), t118, 0.32709444f);
-        const float t121 = fmaf(fmaf(fmaf(t119, t118, -0.44721135f), t118, -0.7754678f), t117, fmaf(fmaf(t120, t118, 0.5987523f), t118, 0.94559944f));
-        const float t122 = t112 * t121 * (t116 * t116 * t116) * (t113 * t114);
-        const float t123 = fmaf(t122, t113 * t115, -1.0f);
-        const float t124 = 1.0f - t122;
-        const float t125 = fmaf(fmaf(30.011856f, t123, fmaf(-41.541264f, t124, -37.009792f)), t123, fmaf(77.96775f, t124, 7.470758f));
-        const float t126 = fmaf(t125, t123, fmaf(fmaf(-49.13454f, t124, -9.466533f), t124, -1.5877596f));
-        const float t127 = fmaf(fmaf(fmaf(15.716111f, t124, 0.0f), t124, 9.961183f), t124, -2.61785f);
-        const float t128 = t123 * fmaf(t126, t123, fmaf(t127, t124, 0.8681748f));
-        const float t129 = fmaf(fmaf(7.295638f, t123, -7.236236f), t123, fmaf(fmaf(fmaf(-11.4868555f, t124, 0.0f), t124, 0.0f), t124, 3.1255686f));
-        const float t130 = fmaf(fmaf(fmaf(13.728438f, t124, -7.981878f), t124, 2.025724f), t124, -0.7334958f);
-        const float t131 = t123 * fmaf(t129, t123, t130);
-        const float t132 = fmaf(fmaf(fmaf(9.986537f, t124, 25.22195f), t124, 0.0f), t124, -2.9581387f);
-        const float t133 = fmaf(fmaf(fmaf(-19.722994f, t124, 4.6594768f), t124, -0.89538246f), t124, 0.5143498f);
-        const float t134 = t123 * fmaf(fmaf(fmaf(-23.220068f, t124, 7.332055f), t123, t132), t123, t133);
-        const float t135 = fmaf(fmaf(fmaf(1.946617f, t123, -3.077631f), t123, 1.4945927f), t123, -0.24140751f);
-        const float t136 = t123 * t135;
-        const float t137 = t123 * fmaf(fmaf(0.38173297f, t123, -0.30305624f), t123, 0.05897375f);
-        const float t138 = 1.0f / (elevation_cos * elevation_cos);
-        const float t139 = tau * tau;
-        const float t140 = t139 * t138 / (1.0f + t_x);
-        const float t141 = kappa - 0.5f;
-        const float t142 = cut - 0.5f;
+        const float t111 = 1.0f + kappa;
+        const float t112 = t111 * shape;
+        const float t113 = 1.0f / (norm * t112);
+        const float t114 = sqrtf(t113);
+        b_0 = norm * t114;
+        const float t115 = 1.0f / (1.0f + cut);
+        const float t116 = (t_x + kappa) * t115 - 0.5f;
+        const float t117 = t116 * t116;
+        const float t118 = fmaf(fmaf(fmaf(-0.026061837f, t117, -0.06372378f), t117, -0.11762552f), t117, -0.23594604f);
+        const float t119 = fmaf(fmaf(fmaf(0.05430631f, t117, 0.080950715f), t117, 0.1684019f), t117, 0.32709444f);
+        const float t120 = fmaf(fmaf(fmaf(t118, t117, -0.44721135f), t117, -0.7754678f), t116, fmaf(fmaf(t119, t117, 0.5987523f), t117, 0.94559944f));
+        const float t121 = t111 * t120 * (t115 * t115 * t115) * (t112 * t113);
+        const float t122 = fmaf(t121, t112 * t114, -1.0f);
+        const float t123 = 1.0f - t121;
+        const float t124 = fmaf(fmaf(30.011856f, t122, fmaf(-41.541264f, t123, -37.009792f)), t122, fmaf(77.96775f, t123, 7.470758f));
+        const float t125 = fmaf(t124, t122, fmaf(fmaf(-49.13454f, t123, -9.466533f), t123, -1.5877596f));
+        const float t126 = fmaf(fmaf(fmaf(15.716111f, t123, 0.0f), t123, 9.961183f), t123, -2.61785f);
+        const float t127 = t122 * fmaf(t125, t122, fmaf(t126, t123, 0.8681748f));
+        const float t128 = fmaf(fmaf(7.295638f, t122, -7.236236f), t122, fmaf(fmaf(fmaf(-11.4868555f, t123, 0.0f), t123, 0.0f), t123, 3.1255686f));
+        const float t129 = fmaf(fmaf(fmaf(13.728438f, t123, -7.981878f), t123, 2.025724f), t123, -0.7334958f);
+        const float t130 = t122 * fmaf(t128, t122, t129);
+        const float t131 = fmaf(fmaf(fmaf(9.986537f, t123, 25.22195f), t123, 0.0f), t123, -2.9581387f);
+        const float t132 = fmaf(fmaf(fmaf(-19.722994f, t123, 4.6594768f), t123, -0.89538246f), t123, 0.5143498f);
+        const float t133 = t122 * fmaf(fmaf(fmaf(-23.220068f, t123, 7.332055f), t122, t131), t122, t132);
+        const float t134 = fmaf(fmaf(fmaf(1.946617f, t122, -3.077631f), t122, 1.4945927f), t122, -0.24140751f);
+        const float t135 = t122 * t134;
+        const float t136 = t122 * fmaf(fmaf(0.38173297f, t122, -0.30305624f), t122, 0.05897375f);
+        const float t137 = 1.0f / (elevation_cos * elevation_cos);
+        const float t138 = tau * tau;
+        const float t139 = t138 * t137 / (1.0f + t_x);
+        const float t140 = kappa - 0.5f;
+        const float t141 = cut - 0.5f;
+        const float t142 = t140 * t140;
         const float t143 = t141 * t141;
-        const float t144 = t142 * t142;
-        const float t145 = fmaf(0.05430631f, t143, 0.080950715f);
-        const float t146 = fmaf(t145, t143, 0.1684019f);
-        const float t147 = fmaf(t146, t143, 0.32709444f);
-        const float t148 = fmaf(fmaf(fmaf(fmaf(0.05430631f, t144, t145), t144, t146), t144, t147), t144, fmaf(t147, t143, 0.5987523f));
-        const float t149 = fmaf(-0.026061837f, t143, -0.06372378f);
-        const float t150 = fmaf(t149, t143, -0.11762552f);
-        const float t151 = fmaf(t150, t143, -0.23594604f);
-        const float t152 = fmaf(t151, t143, -0.44721135f);
-        const float t153 = fmaf(fmaf(fmaf(fmaf(-0.026061837f, t144, t149), t144, t150), t144, t151), t144, t152);
-        const float t154 = fmaf(kappa * t140, fmaf(fmaf(t142, t153, t148), t141 + t142, fmaf(t152, t143, -0.7754678f)), fmaf(t110, t140 - kappa * kappa, kappa) * t138);
-        const float t155 = spherecap_inline_max(t139 * tau * (radius_cos + 1.0f) * t154 * 0.31830987f, 0.0f);
-        b_1 = t122 - b_0 + t128;
-        b_2 = t131 - t128;
-        b_3 = t134 - t131;
-        b_4 = t136 - t134;
-        b_5 = t137 - t136;
-        b_6 = -t137;
-        t111 = spherecap_inline_min(t155, 0.5f);
+        const float t144 = fmaf(0.05430631f, t142, 0.080950715f);
+        const float t145 = fmaf(t144, t142, 0.1684019f);
+        const float t146 = fmaf(t145, t142, 0.32709444f);
+        const float t147 = fmaf(fmaf(fmaf(fmaf(0.05430631f, t143, t144), t143, t145), t143, t146), t143, fmaf(t146, t142, 0.5987523f));
+        const float t148 = fmaf(-0.026061837f, t142, -0.06372378f);
+        const float t149 = fmaf(t148, t142, -0.11762552f);
+        const float t150 = fmaf(t149, t142, -0.23594604f);
+        const float t151 = fmaf(t150, t142, -0.44721135f);
+        const float t152 = fmaf(fmaf(fmaf(fmaf(-0.026061837f, t143, t148), t143, t149), t143, t150), t143, t151);
+        const float t153 = fmaf(kappa * t139, fmaf(fmaf(t141, t152, t147), t140 + t141, fmaf(t151, t142, -0.7754678f)), fmaf(t109, t139 - kappa * kappa, kappa) * t137);
+        const float t154 = spherecap_inline_max(t138 * tau * (radius_cos + 1.0f) * t153 * 0.31830987f, 0.0f);
+        b_1 = t121 - b_0 + t127;
+        b_2 = t130 - t127;
+        b_3 = t133 - t130;
+        b_4 = t135 - t133;
+        b_5 = t136 - t135;
+        b_6 = -t136;
+        t110 = spherecap_inline_min(t154, 0.5f);
     }
-    const bool t156 = 0.0f < t106;
-    const float t157 = (0.0f < radius_cos && t100) ? t95 / (1.0f + radius_cos) : 0.0f;
-    const float inv_solid_angle = t156 ? (0.0f < t157 ? 0.15915494f / t157 : 0.0f) : 0.0f;
-    const float share_above = 0.0f < inv_below ? (0.0f < inv_above ? (t97 ? 1.0f - t111 : t111) : 0.0f) : 1.0f;
-    const bool t158 = 0.0f < inv_solid_angle && t156;
-    const bool t159 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t104 || t158);
+    const bool t155 = 0.0f < defensive_share;
+    const float t156 = (0.0f < radius_cos && t100) ? t95 / (1.0f + radius_cos) : 0.0f;
+    const float inv_solid_angle = t155 ? (0.0f < t156 ? 0.15915494f / t156 : 0.0f) : 0.0f;
+    const float sides_share = 0.0f < inv_below ? (0.0f < inv_above ? (t97 ? 1.0f - t110 : t110) : 0.0f) : 1.0f;
+    const bool t157 = 0.0f < inv_solid_angle && t155;
+    const bool t158 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t104 || t157);
     const spherecap_inline_both_light result = {
-        t159, t159 ? t157 * 6.2831855f : 0.0f, t159 ? projected_above : 0.0f,
+        t158, t158 ? t156 * 6.2831855f : 0.0f, t158 ? projected_above : 0.0f,
         {t13 * t93, t14 * t93, t15 * t93}, {sideways_x, sideways_y, sideways_z},
         {normal_x, normal_y, normal_z}, {up_x, up_y, up_z}, on_surface, distance, radius_sin, radius_cos,
-        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t106, defensive, inv_above, inv_below,
-        share_above,
+        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, defensive, inv_above,
+        inv_below, sides_share,
         {fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))},
-        t156 ? t157 : 0.0f, inv_solid_angle, t107 ? t108 : 0.0f, t107 ? 1.0f / (1.0f - t108) : 1.0f,
-        t107 ? t109 * t109 * t109 * t110 : 0.0f, elevation_cos * radius_cos, radius_sin * t94, climb, b_0,
+        t155 ? t156 : 0.0f, inv_solid_angle, t106 ? t107 : 0.0f, t106 ? 1.0f / (1.0f - t107) : 1.0f,
+        t106 ? t108 * t108 * t108 * t109 : 0.0f, elevation_cos * radius_cos, radius_sin * t94, climb, b_0,
         b_1, b_2, b_3, b_4, b_5, b_6
     };
     return result;
@@ -1268,132 +1269,134 @@ static inline spherecap_inline_sample spherecap_inline_both_sample(const spherec
     }
     const float t1 = fabsf(light->elevation_sin);
     const bool t2 = 0.0f < light->elevation_sin;
-    const bool t3 = 0.0f < light->defensive;
+    const bool t3 = 0.0f < light->defensive_share;
     const float t4 = spherecap_inline_min(spherecap_inline_max(u0, 5.9604645e-8f), 0.99999994f);
     const float t5 = spherecap_inline_min(spherecap_inline_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t6 = t4 < light->defensive && t3;
-    const float t7 = 1.0f - light->defensive;
-    const float t8 = spherecap_inline_max((t6 ? t4 : t4 - light->defensive) / (t6 ? light->defensive : t7), 5.9604645e-8f);
-    const float t9 = 0.0f < light->requested ? spherecap_inline_min(t8, 0.99999994f) : t4;
-    const bool t10 = t9 < light->share_above || t6;
-    const float t11 = 1.0f - light->share_above;
-    const float t12 = spherecap_inline_max((t10 ? t9 : t9 - light->share_above) / (t10 ? light->share_above : t11), 5.9604645e-8f);
-    const bool t13 = t10 && t2;
-    const bool t14 = !t10 && !t2;
-    const float t15 = t6 ? t9 : spherecap_inline_min(t12, 0.99999994f);
-    const bool t16 = !(0.0f < light->tau) || t6;
-    const bool t17 = !(t13 || t14) && !t16;
-    const bool t18 = light->crescent_share <= t15 && !t17;
-    const bool t19 = t16 || t18;
-    const float t20 = 1.0f - t5;
-    const float t21 = t5 - t20;
-    const float t22 = 4.0f * t5 * t20;
-    float t23, t24, t25, t26;
-    if (t19) {
-        const float t27 = spherecap_inline_max((t15 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-        const float t28 = t16 ? t15 : spherecap_inline_min(t27, 0.99999994f);
-        const float t29 = t16 ? 0.0f : light->beyond;
-        const float t30 = 3.1415927f - t29;
-        const float t31 = fmaf(t28, t30, t29);
-        const float t32 = (1.0f - t28) * t30;
-        t23 = spherecap_inline_min(t31, t32) * 0.53033006f;
-        t24 = 1.0f;
-        t25 = 1.0f;
-        t26 = t31 - t32;
+    const bool t6 = t4 < light->defensive_share && t3;
+    const float t7 = 1.0f - light->defensive_share;
+    const float t8 = (t6 ? t4 : t4 - light->defensive_share) / (t6 ? light->defensive_share : t7);
+    const float t9 = spherecap_inline_min(spherecap_inline_max(t8, 5.9604645e-8f), 0.99999994f);
+    const float t10 = 0.0f < light->requested ? t9 : t4;
+    const bool t11 = t10 < light->sides_share || t6;
+    const float t12 = 1.0f - light->sides_share;
+    const float t13 = (t11 ? t10 : t10 - light->sides_share) / (t11 ? light->sides_share : t12);
+    const float t14 = spherecap_inline_min(spherecap_inline_max(t13, 5.9604645e-8f), 0.99999994f);
+    const bool t15 = t11 && t2;
+    const bool t16 = !t11 && !t2;
+    const float t17 = t6 ? t10 : t14;
+    const bool t18 = !(0.0f < light->tau) || t6;
+    const bool t19 = !(t15 || t16) && !t18;
+    const bool t20 = light->crescent_share <= t17 && !t19;
+    const bool t21 = t18 || t20;
+    const float t22 = 1.0f - t5;
+    const float t23 = t5 - t22;
+    const float t24 = 4.0f * t5 * t22;
+    const float t25 = spherecap_inline_max((t17 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t26 = t18 ? t17 : spherecap_inline_min(t25, 0.99999994f);
+    const float t27 = t18 ? 0.0f : light->beyond;
+    const float t28 = 3.1415927f - t27;
+    const float t29 = fmaf(t26, t28, t27);
+    const float t30 = (1.0f - t26) * t28;
+    float t32, t33, t34;
+    float t31 = 0.0f;
+    if (t21) {
+        t32 = spherecap_inline_min(t29, t30) * 0.53033006f;
+        t33 = 1.0f;
+        t34 = 1.0f;
     } else {
-        const float t33 = sqrtf(t22);
-        const float t34 = fmaf(fmaf(fmaf(light->b_6, t22, light->b_4), t22, light->b_2), t22, light->b_0);
-        const float t35 = t33 * fmaf(fmaf(fmaf(light->b_5, t22, light->b_3), t22, light->b_1), t33, t34);
-        const float t36 = sqrtf(fmaf(t21, t21, t35 * t35));
-        const float t37 = light->tau * t35;
-        t25 = t17 ? fmaf(t21, t21, t37 * t37) : 1.0f;
-        const float t38 = t17 ? fmaf(light->kappa, t35, t36) * fmaf(light->cut, t35, t36) : light->crescent_share;
-        const float t39 = (t17 ? light->width : t15) / t38;
-        const float t40 = spherecap_inline_min(spherecap_inline_max(t39, 5.9604645e-8f), 0.99999994f);
-        const float t41 = t17 ? t39 : light->width;
-        const float t42 = t25 * t41;
-        const float t43 = t42 * t42;
-        const float t44 = fmaf(fmaf(fmaf(-0.00060778117f, t43, -0.0027203285f), t43, -0.10000902f), t42, fmaf(fmaf(1.0676054e-5f, t43, -0.011332183f), t43, 1.0000001f));
-        t23 = t17 ? t15 : t40;
-        t24 = t41 * t44;
-        t26 = t17 ? t37 : t33;
+        const float t35 = sqrtf(t24);
+        const float t36 = fmaf(fmaf(fmaf(light->b_6, t24, light->b_4), t24, light->b_2), t24, light->b_0);
+        const float t37 = t35 * fmaf(fmaf(fmaf(light->b_5, t24, light->b_3), t24, light->b_1), t35, t36);
+        const float t38 = sqrtf(fmaf(t23, t23, t37 * t37));
+        const float t39 = light->tau * t37;
+        t34 = t19 ? fmaf(t23, t23, t39 * t39) : 1.0f;
+        const float t40 = t19 ? fmaf(light->kappa, t37, t38) * fmaf(light->cut, t37, t38) : light->crescent_share;
+        const float t41 = (t19 ? light->width : t17) / t40;
+        const float t42 = spherecap_inline_min(spherecap_inline_max(t41, 5.9604645e-8f), 0.99999994f);
+        const float t43 = t19 ? t41 : light->width;
+        const float t44 = t34 * t43;
+        const float t45 = t44 * t44;
+        const float t46 = fmaf(fmaf(fmaf(-0.00060778117f, t45, -0.0027203285f), t45, -0.10000902f), t44, fmaf(fmaf(1.0676054e-5f, t45, -0.011332183f), t45, 1.0000001f));
+        t31 = t19 ? t39 : t35;
+        t32 = t19 ? t17 : t42;
+        t33 = t43 * t46;
     }
-    const float t45 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t23), -0.33333334f, 1419900500.0f));
-    const float t46 = fmaf(-(t23 * t45), t45 * t45, 1.0f);
-    const float t47 = t46 * t46;
-    const float t48 = fmaf(fmaf(fmaf(0.110958695f, t47, 0.14403293f), t47, 0.22222222f), t46, fmaf(fmaf(0.12482853f, t47, 0.17283951f), t47, 0.33333334f));
-    const float t49 = t24 * (t23 * fmaf(t45, t46 * t48, t45));
-    const float t50 = t49 * t25;
-    const float t51 = t50 * t50;
-    const float t52 = fmaf(fmaf(fmaf(-0.063446075f, t51, -0.056249518f), t51, 0.0074712755f), t51, 0.09996679f);
-    const float t53 = fmaf(fmaf(fmaf(0.022114987f, t51, 0.085662976f), t51, 0.030445365f), t51, 0.03209764f);
-    const float t54 = t49 * fmaf(t52, t50, fmaf(t53, t51, 1.0000004f));
-    const float t55 = t19 ? spherecap_inline_min(t54, 1.0f) : t54;
-    const float t56 = t25 * t55;
-    const float t57 = 2.0f - t56;
-    const float t58 = t55 * t57;
-    const float t59 = sqrtf(t58);
-    float side, t60, t61, t62, t63;
-    if (t19) {
-        const float t64 = t26 < 0.0f ? t56 : t57;
-        const float t65 = t58 * t22;
+    const float t47 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t32), -0.33333334f, 1419900500.0f));
+    const float t48 = fmaf(-(t32 * t47), t47 * t47, 1.0f);
+    const float t49 = t48 * t48;
+    const float t50 = fmaf(fmaf(fmaf(0.110958695f, t49, 0.14403293f), t49, 0.22222222f), t48, fmaf(fmaf(0.12482853f, t49, 0.17283951f), t49, 0.33333334f));
+    const float t51 = t33 * (t32 * fmaf(t47, t48 * t50, t47));
+    const float t52 = t51 * t34;
+    const float t53 = t52 * t52;
+    const float t54 = fmaf(fmaf(fmaf(-0.063446075f, t53, -0.056249518f), t53, 0.0074712755f), t53, 0.09996679f);
+    const float t55 = fmaf(fmaf(fmaf(0.022114987f, t53, 0.085662976f), t53, 0.030445365f), t53, 0.03209764f);
+    const float t56 = t51 * fmaf(t54, t52, fmaf(t55, t53, 1.0000004f));
+    const float t57 = t21 ? spherecap_inline_min(t56, 1.0f) : t56;
+    const float t58 = t34 * t57;
+    const float t59 = 2.0f - t58;
+    const float t60 = t57 * t59;
+    const float t61 = sqrtf(t60);
+    float side, t62, t63, t64, t65;
+    if (t21) {
+        const float t66 = t29 - t30 < 0.0f ? t58 : t59;
+        const float t67 = t60 * t24;
         if (t6) {
-            const float t66 = light->height * (1.0f - t65);
-            const float t67 = sqrtf(light->height * (2.0f - t66));
-            t62 = (t64 - 1.0f) * t67;
-            const float t68 = 1.0f - t66;
-            t61 = fmaf(light->elevation_sin, t68, light->elevation_cos * t62);
-            t60 = fmaf(light->elevation_cos, t68, -(light->elevation_sin * t62));
-            side = t59 * t21 * t67;
-            t63 = t61 * light->on_surface;
+            const float t68 = light->height * (1.0f - t67);
+            const float t69 = sqrtf(light->height * (2.0f - t68));
+            t64 = (t66 - 1.0f) * t69;
+            const float t70 = 1.0f - t68;
+            t63 = fmaf(light->elevation_sin, t70, light->elevation_cos * t64);
+            t62 = fmaf(light->elevation_cos, t70, -(light->elevation_sin * t64));
+            side = t61 * t23 * t69;
+            t65 = t63 * light->on_surface;
         } else {
-            const float t69 = 1.0f - t64;
-            const float t70 = spherecap_inline_max(fmaf(light->climb, t64, -light->rise), 0.0f);
-            t61 = sqrtf(fmaf(t70, t70, light->radius_sin * light->radius_sin * t65));
-            const float t71 = t1 * light->radius_cos;
-            const float t72 = fmaf(light->elevation_cos * t69, fmaf(light->climb, t69, -2.0f * t71), light->radius_sin * t65);
-            t62 = light->radius_sin * fmaf(light->elevation_cos, t72 / (t61 + t71), -(t1 * t1 * t69));
-            t60 = fmaf(light->half_axis, t69, light->middle);
-            side = light->radius_sin * t59 * t21;
-            t63 = t61;
+            const float t71 = 1.0f - t66;
+            const float t72 = spherecap_inline_max(fmaf(light->climb, t66, -light->rise), 0.0f);
+            t63 = sqrtf(fmaf(t72, t72, light->radius_sin * light->radius_sin * t67));
+            const float t73 = t1 * light->radius_cos;
+            const float t74 = fmaf(light->elevation_cos * t71, fmaf(light->climb, t71, -2.0f * t73), light->radius_sin * t67);
+            t64 = light->radius_sin * fmaf(light->elevation_cos, t74 / (t63 + t73), -(t1 * t1 * t71));
+            t62 = fmaf(light->half_axis, t71, light->middle);
+            side = light->radius_sin * t61 * t23;
+            t65 = t63;
         }
     } else {
-        t61 = t59 * t26;
-        t60 = 1.0f - t56;
-        side = t59 * t21;
-        t62 = fmaf(light->elevation_cos, t61, -((t17 ? -t1 : t1) * t60));
-        t63 = t61;
+        t63 = t61 * t31;
+        t62 = 1.0f - t58;
+        side = t61 * t23;
+        t64 = fmaf(light->elevation_cos, t63, -((t19 ? -t1 : t1) * t62));
+        t65 = t63;
     }
-    const float t73 = t10 ? 1.0f : -1.0f;
-    const float zenith = t62 * t73;
-    const float cosine = t63 * t73;
-    const float t74 = t61 * t73;
-    const float t75 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
-    const float t76 = 0.0f < cosine ? light->inv_above * light->share_above : cosine < 0.0f ? light->inv_below * t11 : 0.0f;
-    const float t77 = light->defensive * light->inv_solid_angle;
-    const float t78 = spherecap_inline_min(t77 / spherecap_inline_max(t75, 1.1754944e-38f), 3.4028235e38f);
-    const float t79 = fmaf(zenith, zenith, side * side);
-    const float t80 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t79), 0.0f);
-    const float t81 = sqrtf(t80);
-    const float t82 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t80));
-    const float t83 = light->radius_cos * light->radius_cos / (t82 + t81);
-    const float t84 = 1.0f / light->radius_sin;
-    const float t85 = t83 * t84;
-    const float t86 = -fmaf(t82, t81, t79) * t84;
-    const float t87 = t85 * zenith;
-    const float t88 = t85 * side;
-    const float t89 = fmaf(light->third_axis[0], t60, fmaf(light->sideways[0], side, light->up[0] * t74));
-    const float t90 = fmaf(light->third_axis[1], t60, fmaf(light->sideways[1], side, light->up[1] * t74));
-    const float t91 = fmaf(light->third_axis[2], t60, fmaf(light->sideways[2], side, light->up[2] * t74));
-    const float t92 = fmaf(light->elevation_cos, t86, -(light->elevation_sin * t87));
-    const float t93 = fmaf(light->elevation_sin, t86, light->elevation_cos * t87);
-    const float t94 = fmaf(light->third_axis[0], t92, fmaf(light->sideways[0], t88, light->up[0] * t93));
-    const float t95 = fmaf(light->third_axis[1], t92, fmaf(light->sideways[1], t88, light->up[1] * t93));
-    const float t96 = fmaf(light->third_axis[2], t92, fmaf(light->sideways[2], t88, light->up[2] * t93));
+    const float t75 = t11 ? 1.0f : -1.0f;
+    const float zenith = t64 * t75;
+    const float cosine = t65 * t75;
+    const float t76 = t63 * t75;
+    const float t77 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
+    const float t78 = 0.0f < cosine ? light->inv_above * light->sides_share : cosine < 0.0f ? light->inv_below * t12 : 0.0f;
+    const float t79 = light->defensive_share * light->inv_solid_angle;
+    const float t80 = spherecap_inline_min(t79 / spherecap_inline_max(t77, 1.1754944e-38f), 3.4028235e38f);
+    const float t81 = fmaf(zenith, zenith, side * side);
+    const float t82 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t81), 0.0f);
+    const float t83 = sqrtf(t82);
+    const float t84 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t82));
+    const float t85 = light->radius_cos * light->radius_cos / (t84 + t83);
+    const float t86 = 1.0f / light->radius_sin;
+    const float t87 = t85 * t86;
+    const float t88 = -fmaf(t84, t83, t81) * t86;
+    const float t89 = t87 * zenith;
+    const float t90 = t87 * side;
+    const float t91 = fmaf(light->third_axis[0], t62, fmaf(light->sideways[0], side, light->up[0] * t76));
+    const float t92 = fmaf(light->third_axis[1], t62, fmaf(light->sideways[1], side, light->up[1] * t76));
+    const float t93 = fmaf(light->third_axis[2], t62, fmaf(light->sideways[2], side, light->up[2] * t76));
+    const float t94 = fmaf(light->elevation_cos, t88, -(light->elevation_sin * t89));
+    const float t95 = fmaf(light->elevation_sin, t88, light->elevation_cos * t89);
+    const float t96 = fmaf(light->third_axis[0], t94, fmaf(light->sideways[0], t90, light->up[0] * t95));
+    const float t97 = fmaf(light->third_axis[1], t94, fmaf(light->sideways[1], t90, light->up[1] * t95));
+    const float t98 = fmaf(light->third_axis[2], t94, fmaf(light->sideways[2], t90, light->up[2] * t95));
     const spherecap_inline_sample result = {
-        {t89, t90, t91}, t83 * light->distance, {t94, t95, t96}, cosine,
-        t3 ? fmaf(t76, t7 * t75, t77) : t76 * t75,
-        t3 ? spherecap_inline_min(fmaf(t76, t7, t78), 3.4028235e38f) : t76
+        {t91, t92, t93}, t85 * light->distance, {t96, t97, t98}, cosine,
+        t3 ? fmaf(t78, t7 * t77, t79) : t78 * t77,
+        t3 ? spherecap_inline_min(fmaf(t78, t7, t80), 3.4028235e38f) : t78
     };
     return result;
 }
@@ -1419,11 +1422,11 @@ static inline float spherecap_inline_both_pdf_direction(const spherecap_inline_b
     const float t8 = t7 ? 1.0f : fmaf(t2, direction[0], fmaf(t3, direction[1], t4 * direction[2]));
     const float t9 = t7 ? 1.0f : fmaf(light->sideways[0], direction[0], t5);
     const float t10 = spherecap_inline_min(fabsf(t6), 3.4028235e38f);
-    const float t11 = 0.0f < t6 ? light->inv_above * light->share_above : t6 < 0.0f ? light->inv_below * (1.0f - light->share_above) : 0.0f;
-    const float t12 = fmaf(t11, (1.0f - light->defensive) * t10, light->defensive * light->inv_solid_angle);
+    const float t11 = 0.0f < t6 ? light->inv_above * light->sides_share : t6 < 0.0f ? light->inv_below * (1.0f - light->sides_share) : 0.0f;
+    const float t12 = fmaf(t11, (1.0f - light->defensive_share) * t10, light->defensive_share * light->inv_solid_angle);
     const bool t13 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
     const float t14 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light->defensive ? t12 : t11 * t10) : 0.0f) : 0.0f;
+    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light->defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
     return t15;
 }
 
@@ -1434,10 +1437,10 @@ static inline float spherecap_inline_both_pdf_on_sphere(const spherecap_inline_b
     }
     const float t1 = fmaf(light->normal[0], direction[0], fmaf(light->normal[1], direction[1], light->normal[2] * direction[2]));
     const float t2 = spherecap_inline_min(fabsf(t1), 3.4028235e38f);
-    const float t3 = 0.0f < t1 ? light->inv_above * light->share_above : t1 < 0.0f ? light->inv_below * (1.0f - light->share_above) : 0.0f;
-    const float t4 = fmaf(t3, (1.0f - light->defensive) * t2, light->defensive * light->inv_solid_angle);
+    const float t3 = 0.0f < t1 ? light->inv_above * light->sides_share : t1 < 0.0f ? light->inv_below * (1.0f - light->sides_share) : 0.0f;
+    const float t4 = fmaf(t3, (1.0f - light->defensive_share) * t2, light->defensive_share * light->inv_solid_angle);
     const float t5 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light->defensive ? t4 : t3 * t2) : 0.0f;
+    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light->defensive_share ? t4 : t3 * t2) : 0.0f;
     return t6;
 }
 
