@@ -33,7 +33,7 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
     lib/cmake/spherecap/spherecapConfigVersion.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross lights check test test-rust test-shaders prepare-test-python test-python test-mitsubas cuda-check test-long lint \
+.PHONY: help demo cross lights check test test-rust test-shaders shader-cost prepare-test-python test-python test-mitsubas cuda-check test-long lint \
     format build library install uninstall wheel doc package msrv aarch64 valgrind header shaders accuracy hashes bench instructions \
     report fits picture notebook clean FORCE
 
@@ -221,6 +221,9 @@ test-mitsubas: build $(MITSUBAS) ## The plugin with other releases of Mitsuba: l
 test-shaders: .venv-shaders/installed ## Run the shaders on a Vulkan device; needs one, glslang-tools and spirv-tools.
 	cargo test --release --locked --test source
 	.venv-shaders/bin/python -m pytest tests/shaders/executed.py -s
+
+shader-cost: .venv-shaders/installed ## What sampling costs in GLSL on AMD's Navi 21, which need not be there: instructions and registers.
+	.venv-shaders/bin/python tests/shaders/cost.py
 
 .venv-shaders/installed: tests/shaders/requirements.txt
 	$(PYTHON) -m venv .venv-shaders

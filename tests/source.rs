@@ -311,6 +311,46 @@ fn fast_mathematics_are_refused() {
     }
 }
 
+/// What a shader needs of the GLSL to sample a light and to weigh a direction in one form, without comments.
+fn glsl_of(form: &str) -> String {
+    let file = shader("spherecap.glsl");
+    let forms = ["surface", "front", "both"].into_iter().filter(|other| *other != form);
+    let of_others: Vec<String> = forms.map(|other| format!("_{other}_")).collect();
+    let mut is_needed = false;
+    let mut text = String::new();
+    for line in file.lines().filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with("//")) {
+        if line.ends_with('{') && !line.starts_with([' ', '}']) {
+            let is_other = of_others.iter().any(|other| line.contains(other));
+            is_needed = !is_other && !line.contains("_pdf_on_sphere(") && !line.contains("_importance(");
+        }
+        if is_needed {
+            text += line;
+            text.push('\n');
+        }
+    }
+    text
+}
+
+#[test]
+fn the_page_says_how_large_the_files_are() {
+    let page = fs::read_to_string(root().join("docs/source.md")).expect("the page is readable");
+    for file in fs::read_dir(root().join("shaders")).expect("the folder is there") {
+        let name = file.expect("it is there").file_name().to_string_lossy().into_owned();
+        let row =
+            page.lines().find(|line| line.starts_with(&format!("| `{name}` |"))).expect("each has a row");
+        let size = format!("{:.0} kB", shader(&name).len() as f64 / 1e3);
+        assert!(row.contains(&size), "shaders/{name} has {size} now: say so in docs/source.md");
+    }
+    for form in ["surface", "front"] {
+        let text = glsl_of(form);
+        let (lines, size) = (text.lines().count(), text.len());
+        let said = format!("{lines} lines and {:.1} kB", size as f64 / 1e3);
+        assert!(page.replace('\n', " ").contains(&said), "{form} has {said}: say so in docs/source.md");
+        // What can be read in a sitting.
+        assert!(form != "surface" || lines < 400 && size < 16_000, "{said}");
+    }
+}
+
 fn shader(name: &str) -> String {
     fs::read_to_string(root().join("shaders").join(name)).expect("the shaders are readable")
 }

@@ -127,7 +127,8 @@ impl Language {
         for (is_mask, starts_at_zero) in [(false, false), (false, true), (true, false), (true, true)] {
             let of = self.plain(if is_mask { Type::Truth } else { Type::Number });
             let zero = if is_mask { "false".to_owned() } else { self.number(0) };
-            let alike = variables.iter().filter(|(_, mask, zero)| [*mask, *zero] == [is_mask, starts_at_zero]);
+            let alike =
+                variables.iter().filter(|(_, mask, zero)| [*mask, *zero] == [is_mask, starts_at_zero]);
             let names = alike.map(|(name, ..)| match (starts_at_zero, self.is_wgsl) {
                 (true, _) => format!("{name} = {zero}"),
                 (false, true) => format!("{name}: {of}"),

@@ -362,7 +362,8 @@ impl<'a> Printer<'a> {
         // Those with names first, so that what they give is computed under its name.
         let mut merges: Vec<&Merge> = merges.iter().collect();
         merges.sort_by_key(|merge| !self.graph.names.contains_key(&merge.out));
-        let first = |merge: &Merge| merges.iter().find(|other| other.sides == merge.sides).expect("itself").out;
+        let first =
+            |merge: &Merge| merges.iter().find(|other| other.sides == merge.sides).expect("itself").out;
         let (merges, twins): (Vec<&Merge>, Vec<&Merge>) =
             merges.iter().copied().partition(|merge| first(merge) == merge.out);
         for &merge in &merges {
@@ -404,7 +405,8 @@ impl<'a> Printer<'a> {
             for &merge in &merges {
                 let Some(value) = merge.sides[side] else { continue };
                 let (name, text) = (self.text(merge.out, Whole), self.text(value, Choice));
-                let is_stored = name == text || is_zero(self.graph, value) && stores_zero.contains(&merge.out);
+                let is_stored =
+                    name == text || is_zero(self.graph, value) && stores_zero.contains(&merge.out);
                 if !is_stored {
                     self.line(&format!("{name} = {text};"));
                 }

@@ -66,16 +66,9 @@ class Vulkan:
         vk.vkBindBufferMemory(self.device, buffer, memory, 0)
         return buffer, memory
 
-    def run(self, spirv, records, outputs):
-        """Run a shader that reads binding 0 and writes binding 1, of so many numbers a record."""
+    def pipeline(self, spirv):
+        """Compile a shader with two buffers; give their layout, the pipeline's, and the pipeline."""
         vk = self.vk
-        count = len(records)
-        sizes = records.nbytes, 4 * outputs * count
-        (source, source_memory), (target, target_memory) = map(self._buffer, sizes)
-        mapped = vk.vkMapMemory(self.device, source_memory, 0, sizes[0], 0)
-        mapped[:] = records.tobytes()
-        vk.vkUnmapMemory(self.device, source_memory)
-
         bindings = [
             vk.VkDescriptorSetLayoutBinding(
                 binding=i,
@@ -100,6 +93,19 @@ class Vulkan:
         )
         info = vk.VkComputePipelineCreateInfo(stage=stage, layout=pipeline_layout)
         pipeline = vk.vkCreateComputePipelines(self.device, None, 1, [info], None)[0]
+        return layout, pipeline_layout, pipeline
+
+    def run(self, spirv, records, outputs):
+        """Run a shader that reads binding 0 and writes binding 1, of so many numbers a record."""
+        vk = self.vk
+        count = len(records)
+        sizes = records.nbytes, 4 * outputs * count
+        (source, source_memory), (target, target_memory) = map(self._buffer, sizes)
+        mapped = vk.vkMapMemory(self.device, source_memory, 0, sizes[0], 0)
+        mapped[:] = records.tobytes()
+        vk.vkUnmapMemory(self.device, source_memory)
+
+        layout, pipeline_layout, pipeline = self.pipeline(spirv)
         size = vk.VkDescriptorPoolSize(type=vk.VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, descriptorCount=2)
         pool = vk.vkCreateDescriptorPool(
             self.device, vk.VkDescriptorPoolCreateInfo(maxSets=1, pPoolSizes=[size]), None

@@ -7,18 +7,19 @@ import csv
 import pathlib
 import subprocess
 
+import cost
 import numpy as np
 import picture
 import pytest
 from devices import Vulkan, compiled, run_wgsl
-from mains import INPUTS, OUTPUTS, main
+from mains import GLSL, INPUTS, OUTPUTS, main
 
 ROOT = pathlib.Path(__file__).parents[2]
 RECORDS = ROOT / "target/tmp/source"
 FORM, NORMAL, DEFENSIVE, U = 0, slice(1, 4), 8, slice(9, 11)
 CENTRE, RADIUS, DIRECTION, STRENGTH = slice(4, 7), 7, slice(11, 14), 14
 IS_SAMPLED, PROJECTED_SOLID_ANGLE, TO, COSINE = 0, 2, slice(3, 6), 10
-PROJECTED_PDF, PDF_ON_SPHERE, IMPORTANCE = 12, 14, 15
+PDF, PROJECTED_PDF, PDF_ON_SPHERE, IMPORTANCE = 11, 12, 14, 15
 HLSL = ["-D", "-e", "main"]
 
 
@@ -118,6 +119,69 @@ def test_projected_solid_angles_are_those_of_the_reference(device, language, tmp
     errors = relative(found[is_visible, PROJECTED_SOLID_ANGLE], expected[is_visible])
     print(f"{language}: projected solid angles of {len(errors)} rows are off by {errors.max():.1e}")
     assert errors.max() < 2e-6
+
+
+PUBLISHED = """
+    uint i = 15u * gl_GlobalInvocationID.x, o = 5u * gl_GlobalInvocationID.x;
+    vec3 normal = vec3(records[i + 1u], records[i + 2u], records[i + 3u]);
+    vec3 centre = vec3(records[i + 4u], records[i + 5u], records[i + 6u]);
+    published_sample light = published_sample_once(
+        normal, centre, records[i + 7u], records[i + 9u], records[i + 10u]);
+    results[o] = light.direction.x;
+    results[o + 1u] = light.direction.y;
+    results[o + 2u] = light.direction.z;
+    results[o + 3u] = light.pdf;
+    results[o + 4u] = light.projected_pdf;
+"""
+
+
+def check_page(name, numbers, slack):
+    """Hold numbers to a row of a table of docs/source.md: a tenth off at most, and the slack."""
+    lines = (ROOT / "docs/source.md").read_text().splitlines()
+    rows = [line.split("|")[2:] for line in lines if line.startswith(f"| {name} |")]
+    assert len(rows) == 1, name
+    for number, stated in zip(numbers, rows[0], strict=False):
+        assert abs(number - float(stated.replace(",", ""))) <= 0.1 * number + slack, name
+
+
+def test_the_published_method_has_the_faults_that_the_page_counts(device, tmp_path):
+    """Over the records of tests/source.rs, of lights that give something to a surface."""
+    records = np.fromfile(RECORDS / "records", np.float32).reshape(-1, INPUTS)
+    expected = np.fromfile(RECORDS / "expected", np.float32).reshape(-1, OUTPUTS)
+    source = GLSL.format(define="", file=(ROOT / "tests/shaders/published.glsl").read_text(), body=PUBLISHED)
+    found = device.run(compiled(source, [], tmp_path, "published"), records, 5)
+    ours = run(device, "glsl", records, tmp_path)
+    is_hard = np.arange(len(records)) % 2 == 1
+    with np.errstate(invalid="ignore"):
+        is_inside = ((records[:, U] > 0) & (records[:, U] < 1)).all(axis=1)
+    is_fair = (records[:, FORM] == 0) & (expected[:, IS_SAMPLED] == 1) & is_inside
+    # The density of the part whose centre is below the horizon is not meant to be uniform.
+    with np.errstate(all="ignore"):
+        height = (records[:, NORMAL].astype(np.float64) * records[:, CENTRE]).sum(axis=1)
+    for hard in False, True:
+        for above in True, False:
+            with np.errstate(invalid="ignore"):
+                is_side = (height > 0) == above
+            is_chosen = is_fair & (is_hard == hard) & is_side
+            samples = found[is_chosen]
+            is_lost = ~np.isfinite(samples).all(axis=1) | ~(samples[:, 3] > 0)
+            counts = [is_chosen.sum(), is_lost.sum()]
+            assert (ours[is_chosen, PDF] > 0).all()
+            if above:
+                with np.errstate(invalid="ignore"):
+                    errors = relative(samples[:, 4], expected[is_chosen, PROJECTED_PDF])
+                counts.append((~is_lost & (errors > 0.01)).sum())
+            name = f"{'hard' if hard else 'ordinary'}, centre {'above' if above else 'below'} the horizon"
+            print(f"published, {name}: {counts}")
+            # Devices differ in their functions.
+            check_page(name, counts, 5)
+
+
+def test_costs_are_those_of_the_page():
+    """But for other releases of Mesa, whose compiler is another."""
+    for name, numbers in cost.costs().items():
+        print(name, *numbers)
+        check_page(name, numbers, 0)
 
 
 def test_the_examples_give_the_picture_of_the_page(device, tmp_path):
