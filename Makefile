@@ -23,6 +23,9 @@ SCENE ?= cut_light
 VARIANT ?= scalar_rgb
 SPP ?= 16
 
+# `make shader-picture SHADER=my.comp`
+SHADER ?= examples/direct_light.comp
+
 # `make install PREFIX=$HOME/.local`; DESTDIR is put before every path, for packagers.
 PREFIX ?= /usr/local
 VERSION := $(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
@@ -33,9 +36,9 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
     lib/cmake/spherecap/spherecapConfigVersion.cmake
 
 .DEFAULT_GOAL := help
-.PHONY: help demo cross lights check test test-rust test-shaders shader-cost prepare-test-python test-python test-mitsubas cuda-check test-long lint \
-    format build library install uninstall wheel doc package msrv aarch64 valgrind header shaders accuracy hashes bench instructions \
-    report fits picture notebook clean FORCE
+.PHONY: help demo cross lights check test test-rust test-shaders shader-picture shader-cost prepare-test-python test-python \
+    test-mitsubas cuda-check test-long lint format build library install uninstall wheel doc package msrv aarch64 valgrind \
+    header shaders accuracy hashes bench instructions report fits picture notebook clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z0-9-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -221,6 +224,10 @@ test-mitsubas: build $(MITSUBAS) ## The plugin with other releases of Mitsuba: l
 test-shaders: .venv-shaders/installed ## Run the shaders on a Vulkan device; needs one, glslang-tools and spirv-tools.
 	cargo test --release --locked --test source
 	.venv-shaders/bin/python -m pytest tests/shaders/executed.py -s
+
+shader-picture: .venv-shaders/installed ## Render SHADER on a Vulkan device, as out/shader.png.
+	mkdir -p out
+	.venv-shaders/bin/python tests/shaders/picture.py $(SHADER) out/shader.png
 
 shader-cost: .venv-shaders/installed ## What sampling costs in GLSL on AMD's Navi 21, which need not be there: instructions and registers.
 	.venv-shaders/bin/python tests/shaders/cost.py

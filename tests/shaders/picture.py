@@ -1,4 +1,7 @@
-"""The example examples/direct_light.comp as docs/source.png: `python picture.py FILE` writes it."""
+"""What a compute shader like examples/direct_light.comp renders, as a PNG: `python picture.py SHADER FILE`.
+
+`make shader-picture` calls it; docs/source.png is the example's.
+"""
 
 import pathlib
 import struct
@@ -13,10 +16,9 @@ ROOT = pathlib.Path(__file__).parents[2]
 WIDTH, HEIGHT = 480, 270
 
 
-def rendered(device, folder):
+def rendered(shader, device, folder):
     """Give the picture as bytes, in sRGB."""
-    source = (ROOT / "examples/direct_light.comp").read_text()
-    spirv = compiled(source, [f"-I{ROOT / 'shaders'}"], folder, "direct_light")
+    spirv = compiled(shader.read_text(), [f"-I{ROOT / 'shaders'}"], folder, "picture")
     unused = np.zeros((WIDTH * HEIGHT, 1), np.float32)
     linear = np.clip(device.run(spirv, unused, 3), 0, 1)
     srgb = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
@@ -46,4 +48,5 @@ def pixels_of(file):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as folder:
-        pathlib.Path(sys.argv[1]).write_bytes(png(rendered(Vulkan(), pathlib.Path(folder))))
+        shader, file = map(pathlib.Path, sys.argv[1:])
+        file.write_bytes(png(rendered(shader, Vulkan(), pathlib.Path(folder))))
