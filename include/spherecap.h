@@ -25,7 +25,7 @@
 
 // Number of this binary interface. A program built against another number must not be linked with this library: compare
 // with `spherecap_abi_version()`.
-#define SPHERECAP_ABI 2
+#define SPHERECAP_ABI 3
 
 // How directions are distributed. Passed as `uint32_t`.
 typedef enum spherecap_technique_t {

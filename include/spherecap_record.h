@@ -55,8 +55,10 @@ typedef struct spherecap_recorder_t {
     // Gives a node for a constant, or 0 if that fails.
     uint64_t (*literal)(void *user, float value);
     // Gives a node for an operation on one to three nodes (behind a pointer that holds only during the call), or 0 if that
-    // fails. It may be the same node for the same operation on the same nodes.
-    uint64_t (*op)(void *user, enum spherecap_op_t op, const uint64_t *operands);
+    // fails. It may be the same node for the same operation on the same nodes. Where `is_rounded` is not 0 the operation's own
+    // rounding counts: it must not be fused with another, or reordered, even where a graph's compiler does so with others. (One
+    // that only fuses has to keep those products out of sums, and is done: such sums have no other products.)
+    uint64_t (*op)(void *user, enum spherecap_op_t op, const uint64_t *operands, uint32_t is_rounded);
     // Takes back a node: called once for each time that `literal`, `op` or `end_if` gave it, unless it is part of a result.
     void (*release)(void *user, uint64_t node);
     // Begins a conditional and gives a name for it, or 0 for none here. Operations until its end are needed only where the

@@ -110,7 +110,8 @@ private:
             jit_var_dec_ref(index);
     }
 
-    static uint64_t op(void *user, spherecap_op_t op, const uint64_t *operands) noexcept {
+    static uint64_t op(void *user, spherecap_op_t op, const uint64_t *operands,
+                       uint32_t is_rounded) noexcept {
         return guarded(user, [&](RecorderBase &self) -> uint32_t {
             const auto a = [&] { return uint32_t(operands[0]); };
             const auto b = [&] { return uint32_t(operands[1]); };
@@ -121,7 +122,7 @@ private:
             case SPHERECAP_OP_SUB:
                 return jit_var_sub(a(), b());
             case SPHERECAP_OP_MUL:
-                return jit_var_mul(a(), b());
+                return is_rounded ? self.product(a(), b()) : jit_var_mul(a(), b());
             case SPHERECAP_OP_DIV:
                 return jit_var_div(a(), b());
             case SPHERECAP_OP_FMA:
@@ -153,6 +154,18 @@ private:
             }
             return 0;
         });
+    }
+
+    /// A product that is fused into no sum. LLVM fuses none. CUDA's assembler does, unless the product is a
+    /// sum already: of itself and -0, which no product is changed by. Dr.Jit would make a product of that
+    /// again, so it is given the next number, which CUDA's instructions take for -0.
+    uint32_t product(uint32_t a, uint32_t b) const {
+        const uint32_t product = jit_var_mul(a, b);
+        if (m_backend != JitBackend::CUDA || jit_var_state(product) == VarState::Literal)
+            return product;
+        jit_var_dec_ref(product);
+        const Variable nothing(jit_var_f32(m_backend, -0x1p-149f));
+        return jit_var_fma(a, b, nothing.index);
     }
 
     static uint32_t power_of_two(JitBackend backend, uint32_t node) {

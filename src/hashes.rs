@@ -280,7 +280,7 @@ impl Backend for Program {
     fn literal(&self, value: f32) -> Option<NodeId> {
         Some(self.push(Step::Literal(value)))
     }
-    fn op(&self, op: Op, operands: &[NodeId]) -> Option<NodeId> {
+    fn op(&self, op: Op, operands: &[NodeId], _: bool) -> Option<NodeId> {
         let mut padded = [0; 3];
         padded[..operands.len()].copy_from_slice(operands);
         Some(self.push(Step::Op(op, padded)))

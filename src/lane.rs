@@ -183,7 +183,7 @@ pub trait Lane:
     /// `self * factor + addend`, rounded once.
     fn fma(self, factor: Self, addend: Self) -> Self;
     /// The same number, with the word that its last operation's rounding counts: what runs or prints a recording of it must not fuse
-    /// that operation with another, or reorder it, even where it may with others.
+    /// that operation with another, or reorder it, even where it may with others. A product that such a sum adds says so, too.
     #[doc(hidden)]
     #[inline(always)]
     fn rounded(self) -> Self {

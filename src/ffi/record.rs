@@ -66,8 +66,17 @@ pub struct spherecap_recorder_t {
     /// Gives a node for a constant, or 0 if that fails.
     pub literal: Option<unsafe extern "C" fn(user: *mut c_void, value: f32) -> u64>,
     /// Gives a node for an operation on one to three nodes (behind a pointer that holds only during the call), or 0 if that
-    /// fails. It may be the same node for the same operation on the same nodes.
-    pub op: Option<unsafe extern "C" fn(user: *mut c_void, op: spherecap_op_t, operands: *const u64) -> u64>,
+    /// fails. It may be the same node for the same operation on the same nodes. Where `is_rounded` is not 0 the operation's own
+    /// rounding counts: it must not be fused with another, or reordered, even where a graph's compiler does so with others. (One
+    /// that only fuses has to keep those products out of sums, and is done: such sums have no other products.)
+    pub op: Option<
+        unsafe extern "C" fn(
+            user: *mut c_void,
+            op: spherecap_op_t,
+            operands: *const u64,
+            is_rounded: u32,
+        ) -> u64,
+    >,
     /// Takes back a node: called once for each time that `literal`, `op` or `end_if` gave it, unless it is part of a result.
     pub release: Option<unsafe extern "C" fn(user: *mut c_void, node: u64)>,
     /// Begins a conditional and gives a name for it, or 0 for none here. Operations until its end are needed only where the
@@ -167,7 +176,7 @@ impl From<Op> for spherecap_op_t {
 struct Recorder {
     user: *mut c_void,
     literal: unsafe extern "C" fn(*mut c_void, f32) -> u64,
-    op: unsafe extern "C" fn(*mut c_void, spherecap_op_t, *const u64) -> u64,
+    op: unsafe extern "C" fn(*mut c_void, spherecap_op_t, *const u64, u32) -> u64,
     release: unsafe extern "C" fn(*mut c_void, u64),
     conditionals: Option<Conditionals>,
 }
@@ -184,9 +193,10 @@ impl Backend for Recorder {
         // SAFETY: the header's contract.
         Some(unsafe { (self.literal)(self.user, value) }).filter(|&node| node != 0)
     }
-    fn op(&self, op: Op, operands: &[NodeId]) -> Option<NodeId> {
+    fn op(&self, op: Op, operands: &[NodeId], is_rounded: bool) -> Option<NodeId> {
         // SAFETY: the header's contract.
-        Some(unsafe { (self.op)(self.user, op.into(), operands.as_ptr()) }).filter(|&node| node != 0)
+        Some(unsafe { (self.op)(self.user, op.into(), operands.as_ptr(), is_rounded.into()) })
+            .filter(|&node| node != 0)
     }
     fn begin_if(&self, mask: NodeId) -> Option<Conditional> {
         // SAFETY: the header's contract.

@@ -9,7 +9,7 @@ use libc::c_char;
 
 /// Number of this binary interface. A program built against another number must not be linked with this library: compare
 /// with `spherecap_abi_version()`.
-pub const SPHERECAP_ABI: u32 = 2;
+pub const SPHERECAP_ABI: u32 = 3;
 
 /// How directions are distributed. Passed as `uint32_t`.
 #[repr(C)]

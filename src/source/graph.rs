@@ -300,13 +300,12 @@ impl Backend for Builder {
         Some(node(self.state.borrow_mut().make(Kind::Number(value.to_bits()), vec![])))
     }
 
-    fn op(&self, op: Op, operands: &[NodeId]) -> Option<NodeId> {
+    fn op(&self, op: Op, operands: &[NodeId], is_rounded: bool) -> Option<NodeId> {
+        let state = &mut *self.state.borrow_mut();
         let operands: Vec<Value> = operands.iter().map(|&operand| value(operand)).collect();
-        Some(node(self.state.borrow_mut().op(op, &operands)))
-    }
-
-    fn keep_rounding(&self, rounded: NodeId) {
-        self.state.borrow_mut().graph.values[value(rounded)].is_rounded = true;
+        let value = state.op(op, &operands);
+        state.graph.values[value].is_rounded |= is_rounded;
+        Some(node(value))
     }
 
     fn name(&self, named: NodeId, name: &'static str) {

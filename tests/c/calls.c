@@ -341,8 +341,9 @@ static uint64_t count_literal(void *user, float value) {
     return count_node((counter_t *)user);
 }
 
-static uint64_t count_operation(void *user, spherecap_op_t op, const uint64_t *operands) {
-    CHECK(op <= SPHERECAP_OP_FLOAT_OF_BITS && operands[0] != 0);
+static uint64_t count_operation(void *user, spherecap_op_t op, const uint64_t *operands,
+                                uint32_t is_rounded) {
+    CHECK(op <= SPHERECAP_OP_FLOAT_OF_BITS && operands[0] != 0 && is_rounded <= 1);
     return count_node((counter_t *)user);
 }
 

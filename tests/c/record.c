@@ -1,7 +1,7 @@
 // Records the kernels into a recorder that evaluates at once, in plain C floats, and checks that it gives the
 // bits of the library's own functions, zeros where they refuse, and every node back. With conditionals, too:
 // what they give where their mask is false is rubbish here, and nothing else of theirs may be read after
-// their end.
+// their end. A sum whose own rounding counts has no product that may be fused into it.
 //
 // Input: as of `bits.c`. Output: how many lines there were, how many of them had something to sample, and the
 // most operations of a sample, of a density and of an importance, and the most conditionals of each.
@@ -20,9 +20,13 @@ typedef struct graph_t {
     int references[NODES];
     // Of each node the conditional that it is in, or 0.
     unsigned in[NODES];
+    // Is it a product, negated or not, whose own rounding does not count?
+    int is_loose[NODES];
     unsigned count, alive, operations, fails_at;
     // Conditionals by the order of their beginnings, from 1, and those that have not ended.
     unsigned conditionals, depth, open[DEPTH];
+    // How many sums, differences and products have a rounding that counts.
+    unsigned rounded[SPHERECAP_OP_FMA + 1];
     float mask[DEPTH];
 } graph_t;
 
@@ -69,7 +73,7 @@ static void release(void *user, uint64_t node) {
     --graph->alive;
 }
 
-static uint64_t operation(void *user, spherecap_op_t op, const uint64_t *operands) {
+static uint64_t operation(void *user, spherecap_op_t op, const uint64_t *operands, uint32_t is_rounded) {
     graph_t *graph = (graph_t *)user;
     const int arity = op == SPHERECAP_OP_FMA || op == SPHERECAP_OP_SELECT ? 3
                       : (op >= SPHERECAP_OP_NEG && op <= SPHERECAP_OP_SQRT) || op == SPHERECAP_OP_NOT ||
@@ -136,8 +140,16 @@ static uint64_t operation(void *user, spherecap_op_t op, const uint64_t *operand
         result = 0.0f <= a && a < 2147483648.0f ? as_float((uint32_t)a) : 0.0f;
         break;
     }
+    if (is_rounded != 0) {
+        CHECK(op <= SPHERECAP_OP_FMA && op != SPHERECAP_OP_DIV);
+        CHECK(op > SPHERECAP_OP_SUB || (!graph->is_loose[operands[0]] && !graph->is_loose[operands[1]]));
+        ++graph->rounded[op];
+    }
     ++graph->operations;
-    return new_node(graph, result);
+    const uint64_t node = new_node(graph, result);
+    graph->is_loose[node] = (op == SPHERECAP_OP_MUL && is_rounded == 0) ||
+                            (op == SPHERECAP_OP_NEG && graph->is_loose[operands[0]]);
+    return node;
 }
 
 static uint64_t begin_if(void *user, uint64_t mask) {
@@ -264,6 +276,9 @@ static void check_sample(most_t *most, const spherecap_recorder_t *recorder, con
         release(&graph, rest[i]); // each is another node, or this would be its second time
     }
     CHECK(graph.alive == before && (with_nodes || graph.operations <= 1));
+    for (int op = SPHERECAP_OP_ADD; op <= SPHERECAP_OP_MUL; ++op) {
+        CHECK((graph.rounded[op] > 0) == with_nodes);
+    }
     add_to(most);
 }
 

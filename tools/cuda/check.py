@@ -26,8 +26,8 @@ import mitsuba as mi  # isort: skip
 
 LIBRARY = ctypes.CDLL(os.environ["SPHERECAP_LIBRARY"])
 # Structures and functions below are those of include/spherecap.h with this number.
-if LIBRARY.spherecap_abi_version() != 2:
-    sys.exit("check.py was written for ABI 2 of the C library: change its structures to those of the header.")
+if LIBRARY.spherecap_abi_version() != 3:
+    sys.exit("check.py was written for ABI 3 of the C library: change its structures to those of the header.")
 
 #: In the order of the C enumerations.
 TECHNIQUES = ["projected", "projected_bounded", "solid_angle"]

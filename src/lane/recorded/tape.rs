@@ -40,11 +40,9 @@ pub(crate) enum Op {
 pub(crate) trait Backend {
     /// A new node for a constant; `None` if that failed.
     fn literal(&self, value: f32) -> Option<NodeId>;
-    /// A new node (or one more reference to an equal one) for an operation; `None` if that failed.
-    fn op(&self, op: Op, operands: &[NodeId]) -> Option<NodeId>;
-    /// Says of an operation's node that its rounding counts: it must not be fused with others or put in another order, even if
-    /// other operations may.
-    fn keep_rounding(&self, _: NodeId) {}
+    /// A new node (or one more reference to an equal one) for an operation; `None` if that failed. Where its rounding counts it
+    /// must not be fused with others or put in another order, even if other operations may.
+    fn op(&self, op: Op, operands: &[NodeId], is_rounded: bool) -> Option<NodeId>;
     /// Says what an operation's node is called where people read it.
     fn name(&self, _: NodeId, _: &'static str) {}
     /// Sides of branches with fewer operations than this are no conditionals.
@@ -318,11 +316,8 @@ impl Player<'_> {
             }
             if let (Entry::Op(op, operands), true) = (entry, self.last_uses[index] > 0) {
                 let operands = operands.map(|operand| self.nodes[operand]);
-                let node = self.backend.op(op, op.used(&operands))?;
+                let node = self.backend.op(op, op.used(&operands), self.rounded.contains(&index))?;
                 self.own(index, node);
-                if self.rounded.contains(&index) {
-                    self.backend.keep_rounding(node);
-                }
                 for (_, name) in self.names.iter().filter(|(named, _)| *named == index) {
                     self.backend.name(node, name);
                 }

@@ -6,6 +6,7 @@ OUT.c includes ptx.h, which says how numbers are computed, and has one function 
 A register is an integer of 64 bits that is read and written as the type that an instruction names.
 """
 
+import os
 import re
 import sys
 from collections import Counter
@@ -69,7 +70,8 @@ def split(text):
 
 
 def fused(statements):
-    """Fuse products into sums as ptxas does: those that are used by nothing but sums."""
+    """Fuse products into sums as ptxas does: those that are used by nothing but sums. Or all, if asked to."""
+    fuses_all = os.environ.get("STUB_FUSE") == "all"
     product, writes, uses, sums = {}, Counter(), Counter(), Counter()
     for s in statements:
         found = re.findall(r"%[a-z]+\d+", re.sub(r"^@\S+", "", s))
@@ -81,14 +83,21 @@ def fused(statements):
                 product[m[2]] = m[3], m[4]
             else:
                 sums.update(set(found))
+        elif (m := re.fullmatch(r"neg\.ftz\.f32 (\S+), (\S+)", s)) and m[2] in product and fuses_all:
+            x, y = product[m[2]]
+            product[m[1]] = f"-{x}".replace("--", ""), y
     # Registers that are written once mean the same everywhere.
-    ready = {p for p, xy in product.items() if uses[p] == sums[p] and all(writes[r] == 1 for r in (p, *xy))}
+    ready = {
+        p
+        for p, xy in product.items()
+        if (fuses_all or uses[p] == sums[p]) and all(writes[r.lstrip("-")] == 1 for r in (p, *xy))
+    }
     for s in statements:
         m = re.fullmatch(r"(add|sub)\.ftz\.f32 (\S+), (\S+), (\S+)", s)
         minus = "-" if m and m[1] == "sub" else ""
         if m and m[4] in ready:
             x, y = product[m[4]]
-            yield f"fma.rn.ftz.f32 {m[2]}, {minus}{x}, {y}, {m[3]}"
+            yield f"fma.rn.ftz.f32 {m[2]}, {minus}{x}, {y}, {m[3]}".replace("--", "")
         elif m and m[3] in ready:
             x, y = product[m[3]]
             yield f"fma.rn.ftz.f32 {m[2]}, {x}, {y}, {minus}{m[4]}"

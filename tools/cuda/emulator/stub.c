@@ -237,11 +237,12 @@ int cuOccupancyMaxPotentialBlockSize(int *blocks, int *threads, void *function, 
 static int compile(Function *function) {
     const char *path = function->module->path, *name = function->name;
     char *command = NULL, *library = NULL;
-    // Integers overflow, memory has no types, and no product is fused that is not written so.
+    // Integers overflow, memory has no types, and no product is fused that is not written so. Nothing is
+    // optimized: that would take longer than to run the kernel.
     if (asprintf(&library, "%s.%s.so", path, name) < 0 ||
         asprintf(&command,
                  "\"${PYTHON:-python3}\" \"$STUB_SOURCES/ptx2c.py\" '%s' '%s' '%s.c' && "
-                 "\"${CC:-cc}\" -std=gnu11 -O1 -march=haswell -fwrapv -fno-strict-aliasing -ffp-contract=off "
+                 "\"${CC:-cc}\" -std=gnu11 -march=haswell -fwrapv -fno-strict-aliasing -ffp-contract=off "
                  "-fno-math-errno -w -shared -fPIC -I \"$STUB_SOURCES\" -o '%s' '%s.c' -lm",
                  path, name, library, library, library) < 0 ||
         system(command) != 0)
