@@ -193,6 +193,8 @@ class Function:
         untyped = [m for m in modifiers if not re.fullmatch(TYPE, m)]
         if op == "setp":
             comparison = ".".join(m for m in untyped if m != "ftz")
+            if comparison == "nan":
+                return f"isunordered({x[0]}, {x[1]})"
             value = f"{x[0]} {COMPARISONS[comparison]} {x[1]}"
             # Nothing is so of NaN, not even `ne`.
             return f"({value}) && !isunordered({x[0]}, {x[1]})" if type_ == "f32" else value

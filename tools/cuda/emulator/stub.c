@@ -24,12 +24,12 @@ typedef struct {
     void (*launch)(void **parameters, uint32_t blocks, uint32_t threads);
 } Function;
 
-// --- The device: one, like an H100 ------------------------------------------------------------------------
+// --- The device: one, of some compute capability, with the driver of CUDA 12.4 -----------------------------
 
 int cuInit(unsigned flags) { return SUCCESS; }
 
 int cuDriverGetVersion(int *version) {
-    *version = 13000;
+    *version = 12040;
     return SUCCESS;
 }
 
@@ -54,6 +54,8 @@ int cuDeviceTotalMem_v2(size_t *bytes, int device) {
 }
 
 int cuDeviceGetAttribute(int *value, int attribute, int device) {
+    const char *given = getenv("STUB_CAPABILITY");
+    const int capability = given ? atoi(given) : 90;
     switch (attribute) {
     case 16: // multiprocessors
         *value = 132;
@@ -61,8 +63,11 @@ int cuDeviceGetAttribute(int *value, int attribute, int device) {
     case 41: // unified addresses
         *value = 1;
         break;
-    case 75: // compute capability 9.0
-        *value = 9;
+    case 75:
+        *value = capability / 10;
+        break;
+    case 76:
+        *value = capability % 10;
         break;
     case 97: // bytes of shared memory for a block
         *value = 232448;
