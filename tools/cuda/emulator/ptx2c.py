@@ -42,6 +42,7 @@ VALUES = {
     "max": "{0} > {1} ? {0} : {1}",
     "min.f32": "min_f32({0}, {1})",
     "max.f32": "max_f32({0}, {1})",
+    "min.NaN.f32": "isunordered({0}, {1}) ? NAN : min_f32({0}, {1})",
     "max.NaN.f32": "isunordered({0}, {1}) ? NAN : max_f32({0}, {1})",
     "fma.f32": "fmaf({0}, {1}, {2})",
     "abs.f32": "fabsf({0})",
@@ -204,10 +205,10 @@ class Function:
         typed = f"{name}.{type_}"
         return VALUES[typed if typed in VALUES else name].format(*x)
 
-    def call(self, results, pointer, arguments, _prototype):
-        """A call of the function that a register points to."""
+    def call(self, results, function, arguments, *_prototype):
+        """A call of the function that has this name, or that a register points to."""
         given = [self.read(x, "u64") for x in split(results.strip("()")) + split(arguments.strip("()"))]
-        return f"((void (*)()) {self.read(pointer, 'u64')})({', '.join(given)});"
+        return f"((void (*)()) {self.read(function, 'u64')})({', '.join(given)});"
 
     def read(self, x, type_):
         """An operand as an expression of a type."""
