@@ -195,7 +195,7 @@ void call_the_recorder() {
     const spherecap_recorder_t recorder{
         &alive,
         [](void *user, float) { return make(user); },
-        [](void *user, spherecap_op_t, const uint64_t *) { return make(user); },
+        [](void *user, spherecap_op_t, const uint64_t *, uint32_t) { return make(user); },
         [](void *user, uint64_t node) {
             auto &nodes = *static_cast<std::vector<bool> *>(user);
             CHECK(nodes[node]);
