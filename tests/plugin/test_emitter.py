@@ -188,6 +188,21 @@ def test_inside_the_sphere(variant):
         assert array(ours.emitter().eval_direction(it, ds)).max() == 0
 
 
+def test_samples_of_the_edge_count(scalar_rgb):
+    """There the normal is perpendicular to the direction, and by rounding faces away now and then."""
+    emitter = light(technique="solid_angle").emitter()
+    faces_away = 0
+    for i in range(500):
+        it = point((0.006 * i, -0.004 * i, 0.002 * i))
+        ds, weight = emitter.sample_direction(it, (i / 500, i % 2))
+        cosine = np.dot(array(ds.d), array(ds.n))
+        assert abs(cosine) < 1e-3
+        faces_away += cosine >= 0
+        assert emitter.pdf_direction(it, ds) == pytest.approx(ds.pdf, rel=1e-5)
+        assert array(emitter.eval_direction(it, ds)) == pytest.approx(array(weight) * ds.pdf, rel=1e-6)
+    assert faces_away > 0
+
+
 @pytest.mark.parametrize(
     ("hemispheres", "defensive", "lit"),
     [
