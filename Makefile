@@ -16,7 +16,7 @@ C_RENDERER := build/renderer
 INLINE_RENDERER := build/renderer_inline
 IRRADIANCE := build/irradiance
 CPP := $(wildcard mitsuba_plugin/*.cpp mitsuba_plugin/*.h tests/c/*.c tests/c/*.cpp tests/c/*.h tests/install/*.c examples/*.c \
-    examples/c/*.c tools/cuda/emulator/*.[ch])
+    examples/c/*.c benches/*.c tools/cuda/emulator/*.[ch])
 
 # `make demo SCENE=cut_light VARIANT=scalar_rgb SPP=16`
 SCENE ?= cut_light
@@ -38,7 +38,7 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
 .DEFAULT_GOAL := help
 .PHONY: help demo cross lights check test test-rust test-shaders shader-picture shader-cost prepare-test-python test-python \
     test-mitsubas cuda-check test-long lint format build library install uninstall wheel doc package msrv aarch64 valgrind \
-    header shaders accuracy hashes bench instructions report fits picture notebook clean FORCE
+    header shaders accuracy hashes bench instructions bench-inline report fits picture notebook clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z0-9-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -196,6 +196,9 @@ bench: ## What sampling costs, beside solid angles and the published method; als
 
 instructions: ## How many instructions sampling takes; also as out/instructions.json.
 	cargo bench --locked --bench instructions
+
+bench-inline: ## What sampling by the inline header costs in C, beside Rust: instructions and times.
+	cargo bench --locked --bench inline
 
 report: build out/bench.json out/instructions.json out/maps.json ## Speed against error, as report/index.html: about ten minutes.
 	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m report

@@ -1,7 +1,7 @@
 // The picture of direct_light.comp from C, by the inline header alone: a lamp that dips below the floor, and
 // two balls.
 //
-//     cc -std=c99 -O2 -mfma -Ishaders examples/direct_light.c -lm -o direct_light
+//     cc -std=c99 -O2 -mfma -fno-math-errno -Ishaders examples/direct_light.c -lm -o direct_light
 //     ./direct_light > direct_light.ppm
 
 #include "spherecap_inline.h"

@@ -156,8 +156,16 @@ fn compilers() -> Vec<(&'static str, [&'static str; 3])> {
 
 /// As the page has them, and warnings.
 fn options() -> Vec<&'static str> {
-    let mut options =
-        vec!["-O2", "-pedantic", "-Wall", "-Wextra", "-Werror", "-Wno-unused-function", "-Ishaders"];
+    let mut options = vec![
+        "-O2",
+        "-fno-math-errno",
+        "-pedantic",
+        "-Wall",
+        "-Wextra",
+        "-Werror",
+        "-Wno-unused-function",
+        "-Ishaders",
+    ];
     #[cfg(target_arch = "x86_64")]
     if is_x86_feature_detected!("fma") {
         options.push("-mfma");

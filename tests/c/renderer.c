@@ -8,7 +8,7 @@
 //
 // or without the library, by the inline header alone:
 //
-//     cc -std=c99 -O2 -mfma -DSPHERECAP_INLINE -Ishaders tests/c/renderer.c -lm -o renderer_inline
+//     cc -std=c99 -O2 -mfma -fno-math-errno -DSPHERECAP_INLINE -Ishaders tests/c/renderer.c -lm
 //
 // What a renderer has to do with either is in `choose_light` and `sample_light`; the rest is what every
 // renderer has. The scene is text, one thing per line: a word and its numbers (see `WORDS`), or a comment

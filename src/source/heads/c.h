@@ -3,8 +3,9 @@
 
 // {about}
 // C99 or C++11; no library but the math functions of the standard one. Compile with -mfma, or for a processor that has fused
-// multiply-adds: without them each is a call. With -ffp-contract=off all results are those of the library to the bit; without it,
-// densities are within 3e-7 of them, and of `both`, whose smaller side has what the larger leaves, within 1e-5.
+// multiply-adds: without them each is a call; and with -fno-math-errno, or each square root is checked for errors. With
+// -ffp-contract=off all results are those of the library to the bit; without it, densities are within 3e-7 of them, and of
+// `both`, whose smaller side has what the larger leaves, within 1e-5.
 
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST)
 #error "spherecap needs numbers as IEEE 754 has them: compile without -ffast-math, -Ofast or /fp:fast"
