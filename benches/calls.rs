@@ -28,6 +28,9 @@ pub fn strategy<L: Lane>(technique: Technique) -> Strategy<L> {
     Strategy { technique, hemispheres: Hemispheres::Front, defensive: L::lit(0.0) }
 }
 
+/// The published method, with its pow and with the library's cube root in its place.
+pub const PUBLISHED: [&str; 2] = ["published", "published, cube root"];
+
 /// Something to time or count: how many calls it makes, and a function that makes them.
 pub struct Work<'a> {
     pub calls: usize,
@@ -36,43 +39,43 @@ pub struct Work<'a> {
 
 macro_rules! calls {
     ($(
-        fn $name:ident$(<$float:ident$(, $technique:ident)?>)?($($argument:ident: $type:ty),*) $(-> $result:ty)? $body:block
+        fn $name:ident$([$($generics:tt)*])?($($argument:ident: $type:ty),*) $(-> $result:ty)? $body:block
     )*) => {$(
         #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2,fma"))]
         #[inline(never)]
-        pub unsafe fn $name$(<$float: Scalar$(, const $technique: usize)?>)?($($argument: $type),*) $(-> $result)? $body
+        pub unsafe fn $name$(<$($generics)*>)?($($argument: $type),*) $(-> $result)? $body
     )*};
 }
 calls! {
-    fn prepare<F>(strategy: &Strategy<F>, scene: &[F; 7], sampler: &mut Sampler<F>) {
+    fn prepare[F: Scalar](strategy: &Strategy<F>, scene: &[F; 7], sampler: &mut Sampler<F>) {
         *sampler = Sampler::new(cap(scene), *strategy);
     }
-    fn prepare_and_sample<F, TECHNIQUE>(scene: &[F; 7], u0: F, u1: F) -> (Vec3<F>, F) {
+    fn prepare_and_sample[F: Scalar, const TECHNIQUE: usize](scene: &[F; 7], u0: F, u1: F) -> (Vec3<F>, F) {
         let [nx, ny, nz, cx, cy, cz, radius] = *scene;
         let strategy = strategy(TECHNIQUES[TECHNIQUE].1);
         let sample = Sample::once([nx, ny, nz], [cx, cy, cz], radius, strategy, u0, u1);
         (sample.direction, sample.density.solid_angle)
     }
-    fn sample<F>(sampler: &Sampler<F>, u0: F, u1: F) -> (Vec3<F>, F) {
+    fn sample[F: Scalar](sampler: &Sampler<F>, u0: F, u1: F) -> (Vec3<F>, F) {
         let sample = sampler.sample(u0, u1);
         (sample.direction, sample.density.solid_angle)
     }
-    fn pdf<F>(sampler: &Sampler<F>, offset: &Offset<F>) -> Density<F> {
+    fn pdf[F: Scalar](sampler: &Sampler<F>, offset: &Offset<F>) -> Density<F> {
         sampler.pdf(*offset)
     }
-    fn invert<F>(sampler: &Sampler<F>, offset: &Offset<F>) -> [F; 2] {
+    fn invert[F: Scalar](sampler: &Sampler<F>, offset: &Offset<F>) -> [F; 2] {
         sampler.invert(*offset)
     }
     fn published_prepare(scene: &Scene, cap: &mut Published) {
         let Scene { normal, centre, radius } = *scene;
         *cap = Published::new(normal.into(), centre.into(), radius);
     }
-    fn published_sample(cap: &Published, u0: f32, u1: f32) -> (glam::Vec3, f32) {
-        cap.sample(u0, u1)
+    fn published_sample[const CUBE_ROOT: bool](cap: &Published, u0: f32, u1: f32) -> (glam::Vec3, f32) {
+        cap.sample::<CUBE_ROOT>(u0, u1)
     }
-    fn published_prepare_and_sample(scene: &Scene, u0: f32, u1: f32) -> (glam::Vec3, f32) {
+    fn published_prepare_and_sample[const CUBE_ROOT: bool](scene: &Scene, u0: f32, u1: f32) -> (glam::Vec3, f32) {
         let Scene { normal, centre, radius } = *scene;
-        Published::new(normal.into(), centre.into(), radius).sample(u0, u1)
+        Published::new(normal.into(), centre.into(), radius).sample::<CUBE_ROOT>(u0, u1)
     }
 }
 
@@ -197,7 +200,10 @@ impl<F: Scalar> Inputs<F> {
 ///
 /// # Safety
 /// The CPU has AVX2 and FMA.
-pub unsafe fn published_works<'a>(scenes: &'a [Scene], numbers: &'a [f32]) -> [Work<'a>; 4] {
+pub unsafe fn published_works<'a, const CUBE_ROOT: bool>(
+    scenes: &'a [Scene],
+    numbers: &'a [f32],
+) -> [Work<'a>; 4] {
     let u = move |i: usize, j: usize| {
         let k = 2 * ((i + j * 61) % (numbers.len() / 2));
         (numbers[k], numbers[k + 1])
@@ -206,7 +212,7 @@ pub unsafe fn published_works<'a>(scenes: &'a [Scene], numbers: &'a [f32]) -> [W
         for (i, scene) in scenes.iter().enumerate() {
             let (u0, u1) = u(i, 0);
             // SAFETY: the caller's promise.
-            black_box(unsafe { published_prepare_and_sample(scene, u0, u1) });
+            black_box(unsafe { published_prepare_and_sample::<CUBE_ROOT>(scene, u0, u1) });
         }
     };
     let [none, one, many] = [0, 1, SAMPLES].map(|samples| {
@@ -218,7 +224,7 @@ pub unsafe fn published_works<'a>(scenes: &'a [Scene], numbers: &'a [f32]) -> [W
                 for j in 0..samples {
                     let (u0, u1) = u(i, j);
                     // SAFETY: the caller's promise.
-                    black_box(unsafe { published_sample(&cap, u0, u1) });
+                    black_box(unsafe { published_sample::<CUBE_ROOT>(&cap, u0, u1) });
                 }
             }
         };

@@ -12,17 +12,18 @@ mod report;
 mod scenes;
 mod timing;
 
-use calls::{published_works, strategy, Arrays, Inputs, SAMPLES, TASKS, TECHNIQUES};
+use calls::{published_works, strategy, Arrays, Inputs, PUBLISHED, SAMPLES, TASKS, TECHNIQUES};
 use published::Published;
 use report::Row;
 use scenes::{Random, Scene, CAPS, SEED};
+use spherecap as lane; // as `src/math.rs` calls it
 use spherecap::batch::Instructions;
 use spherecap::Cap;
 use timing::{median, ratio, rounds, ROUNDS};
 
 /// The published method samples what it claims: its weights average to the projected solid angle. A bench of something else
 /// would be no comparison.
-fn check_published(scenes: &[Scene], numbers: &[f32]) {
+fn check_published<const CUBE_ROOT: bool>(scenes: &[Scene], numbers: &[f32]) {
     let mut error = 0.0_f64;
     for scene in &scenes[..64] {
         let cap = Published::new(scene.normal.into(), scene.centre.into(), scene.radius);
@@ -32,7 +33,7 @@ fn check_published(scenes: &[Scene], numbers: &[f32]) {
         let pairs = numbers.chunks_exact(2);
         let count = pairs.len() as f64;
         for u in pairs {
-            let (direction, density) = cap.sample(u[0], u[1]);
+            let (direction, density) = cap.sample::<CUBE_ROOT>(u[0], u[1]);
             sum += f64::from(normal.dot(direction) / density);
         }
         error += sum / count / f64::from(exact.projected_solid_angle()) - 1.0;
@@ -55,9 +56,13 @@ unsafe fn measure(set: &'static str, scenes: &[Scene], numbers: &[f32]) -> Vec<R
         // SAFETY: the caller's promise.
         works.extend(unsafe { inputs.works() });
     }
-    names.extend([prepare, apart, one, many].map(|task| ("f32".to_owned(), "published", task)));
+    for method in PUBLISHED {
+        names.extend([prepare, apart, one, many].map(|task| ("f32".to_owned(), method, task)));
+    }
     // SAFETY: the caller's promise.
-    works.extend(unsafe { published_works(scenes, numbers) });
+    works.extend(unsafe { published_works::<false>(scenes, numbers) });
+    // SAFETY: the caller's promise.
+    works.extend(unsafe { published_works::<true>(scenes, numbers) });
     for ((method, _), inputs) in TECHNIQUES.iter().zip(&double) {
         names.extend(TASKS.map(|task| ("f64".to_owned(), *method, task)));
         // SAFETY: the caller's promise.
@@ -89,7 +94,8 @@ fn main() {
     println!("medians of {ROUNDS} rounds over {CAPS} caps; calls with {SAMPLES} samples: the time of one\n");
     let mut rows = Vec::new();
     for (set, scenes) in scenes::sets(&mut random) {
-        check_published(&scenes, &numbers);
+        check_published::<false>(&scenes, &numbers);
+        check_published::<true>(&scenes, &numbers);
         // SAFETY: the CPU has them.
         let measured = unsafe { measure(set, &scenes, &numbers) };
         println!("{}", report::table(&measured, &TASKS));

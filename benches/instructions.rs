@@ -11,8 +11,9 @@ mod published;
 mod scenes;
 mod steps;
 
-use calls::{published_works, strategy, Arrays, Inputs, Work, SAMPLES, TASKS, TECHNIQUES};
+use calls::{published_works, strategy, Arrays, Inputs, Work, PUBLISHED, SAMPLES, TASKS, TECHNIQUES};
 use scenes::{Random, Scene, CAPS, SEED};
+use spherecap as lane; // as `src/math.rs` calls it
 use spherecap::batch::Instructions;
 use spherecap::Strategy;
 use std::io::{stdout, Write};
@@ -21,7 +22,7 @@ use std::io::{stdout, Write};
 const COUNTED: usize = CAPS / 4;
 
 /// Where the functions begin that count.
-fn entries() -> [u64; 9] {
+fn entries() -> [u64; 11] {
     let functions = [
         calls::prepare::<f32> as *const (),
         calls::sample::<f32> as *const (),
@@ -29,8 +30,10 @@ fn entries() -> [u64; 9] {
         calls::prepare_and_sample::<f32, 1> as *const (),
         calls::prepare_and_sample::<f32, 2> as *const (),
         calls::published_prepare as *const (),
-        calls::published_sample as *const (),
-        calls::published_prepare_and_sample as *const (),
+        calls::published_sample::<false> as *const (),
+        calls::published_sample::<true> as *const (),
+        calls::published_prepare_and_sample::<false> as *const (),
+        calls::published_prepare_and_sample::<true> as *const (),
         calls::batch_sample as *const (),
     ];
     functions.map(|function| function as u64)
@@ -94,8 +97,11 @@ unsafe fn table(set: &str, scenes: &[Scene], numbers: &[f32]) -> Vec<String> {
         rows.extend(line(set, method, unsafe { works(&inputs, &arrays, strategy) }));
     }
     // SAFETY: the caller's promise.
-    let [_, works @ ..] = unsafe { published_works(scenes, numbers) };
-    rows.extend(line(set, "published", works.into()));
+    let published =
+        unsafe { [published_works::<false>(scenes, numbers), published_works::<true>(scenes, numbers)] };
+    for (method, [_, works @ ..]) in PUBLISHED.into_iter().zip(published) {
+        rows.extend(line(set, method, works.into()));
+    }
     println!();
     rows
 }

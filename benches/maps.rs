@@ -23,6 +23,7 @@ use deviation::{deviation_maps, deviation_of_sets};
 use errors::{error_maps, errors_of_sets};
 use numbers::numbers;
 use scenes::{Random, SEED};
+use spherecap as lane; // as `src/math.rs` calls it
 use spherecap::{density_bound_for_radius, Sampler};
 
 /// The paper's Figure 2: the bound for all caps up to a size, over 1/s from the sphere's surface to where nothing changes.

@@ -18,6 +18,7 @@ use std::fmt::Write as _;
 
 #[path = "../tests/common/inputs.rs"]
 mod inputs;
+mod operations;
 
 /// Inputs that share a strategy, and how many such blocks are hashed in `make test` and in `make test-long`.
 const BLOCK: usize = 1 << 10;
@@ -210,6 +211,8 @@ impl Scalar for f64 {
 struct Program {
     steps: RefCell<Vec<Step>>,
     open: RefCell<Vec<NodeId>>,
+    /// Of each step the masks of the conditionals that it is in.
+    inside: RefCell<Vec<Vec<NodeId>>>,
 }
 
 enum Step {
@@ -221,7 +224,23 @@ enum Step {
 }
 
 impl Program {
+    /// What computes the outputs of a kernel, which are nodes of it.
+    fn record<K: Kernel<I, O>, const I: usize, const O: usize>(
+        kernel: K,
+        Strategy { technique, hemispheres, defensive }: Strategy<f32>,
+    ) -> (Self, [NodeId; O]) {
+        let (program, tape) = (Self::default(), Tape::default());
+        let nodes = [(); I].map(|()| program.push(Step::Input));
+        // A constant, as renderers have it.
+        let strategy = Strategy { technique, hemispheres, defensive: Recorded::Lit(defensive) };
+        let (outputs, _) = kernel.run(strategy, nodes.map(|node| tape.input(node)));
+        let wanted = outputs.map(|output| tape.want_number(output));
+        let outputs = tape.play(&program, wanted).expect("a program never fails");
+        (program, outputs)
+    }
+
     fn push(&self, step: Step) -> NodeId {
+        self.inside.borrow_mut().push(self.open.borrow().clone());
         self.steps.borrow_mut().push(step);
         self.steps.borrow().len() as NodeId
     }
@@ -334,14 +353,7 @@ impl Way {
                 (0..count).map(|i| outputs.each_ref().map(|output| output[i])).collect()
             }
             Self::Recorded => {
-                let (program, tape) = (Program::default(), Tape::default());
-                let nodes = [(); I].map(|()| program.push(Step::Input));
-                let Strategy { technique, hemispheres, defensive } = strategy;
-                // A constant, as renderers have it.
-                let strategy = Strategy { technique, hemispheres, defensive: Recorded::Lit(defensive) };
-                let (outputs, _) = kernel.run(strategy, nodes.map(|node| tape.input(node)));
-                let wanted = outputs.map(|output| tape.want_number(output));
-                let outputs = tape.play(&program, wanted).expect("a program never fails");
+                let (program, outputs) = Program::record(kernel, strategy);
                 let mut values = Vec::new();
                 let outputs_of = |i| {
                     program.run(&input(i), &mut values);

@@ -67,7 +67,7 @@ impl Prepared {
                 }
             }
             Single::Published(cap) => {
-                let (direction, density) = cap.sample(u[0], u[1]);
+                let (direction, density) = cap.sample::<false>(u[0], u[1]);
                 let direction = direction.to_array().map(f64::from);
                 Drawn { direction, density: density.into(), offset: None }
             }
