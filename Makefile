@@ -38,7 +38,7 @@ INSTALLED := include/spherecap.h include/spherecap_record.h lib/libspherecap.a l
 .DEFAULT_GOAL := help
 .PHONY: help demo cross lights check test test-rust test-shaders shader-picture shader-cost prepare-test-python test-python \
     test-mitsubas cuda-check test-long lint format build library install uninstall wheel doc package msrv aarch64 valgrind \
-    header shaders accuracy hashes bench instructions bench-inline report fits picture notebook clean FORCE
+    header shaders accuracy hashes bench instructions bench-inline report speed speed-page fits picture notebook clean FORCE
 
 help: ## List the targets.
 	@grep -hE '^[a-z0-9-]+:.*## ' $(MAKEFILE_LIST) | sed 's/:.*## /\t/' | expand -t 14
@@ -202,6 +202,17 @@ bench-inline: ## What sampling by the inline header costs in C, beside Rust: ins
 
 report: build out/bench.json out/instructions.json out/maps.json ## Speed against error, as report/index.html: about ten minutes.
 	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m report
+
+# Everything anew, whatever is there.
+speed: build ## Measure for docs/speed.md and the README, on an idle machine, and write both: some twelve minutes.
+	@echo "Times, instructions and maps of errors: some seven minutes."
+	cargo bench --locked --bench cost
+	cargo bench --locked --bench instructions
+	cargo bench --locked --bench maps
+	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m report.speed_page --measure
+
+speed-page: build ## Write docs/speed.md and the README's figures from what was measured.
+	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m report.speed_page
 
 # Remade where they are older than what they measure.
 out/bench.json out/instructions.json out/maps.json: out/%.json: Cargo.toml Cargo.lock $(shell find src benches -name '*.rs')

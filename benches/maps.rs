@@ -24,7 +24,7 @@ use errors::{error_maps, errors_of_sets};
 use numbers::numbers;
 use scenes::{Random, SEED};
 use spherecap as lane; // as `src/math.rs` calls it
-use spherecap::{density_bound_for_radius, Sampler};
+use spherecap::density_bound_for_radius;
 
 /// The paper's Figure 2: the bound for all caps up to a size, over 1/s from the sphere's surface to where nothing changes.
 fn bound_curve() -> String {
@@ -39,7 +39,6 @@ fn main() {
     let random_numbers: Vec<f32> = (0..4096).map(|_| random.unit()).collect();
     let sets = scenes::sets(&mut random);
     let entries = [
-        ("sampler_bytes", size_of::<Sampler<f32>>().to_string()),
         ("inverse", errors_of_sets(&sets, &random_numbers)),
         ("deviation", deviation_of_sets(&sets)),
         ("bound_curve", bound_curve()),

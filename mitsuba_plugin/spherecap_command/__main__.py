@@ -1,6 +1,7 @@
 """`spherecap compare`, `spherecap convert` and `spherecap info`; also as `python -m spherecap_command`."""
 
 import argparse
+import re
 import shlex
 import shutil
 import sys
@@ -46,7 +47,7 @@ def main(words: list[str] | None = None) -> int:
         print(f"spherecap: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
-        print("spherecap: stopped; nothing was written", file=sys.stderr)
+        print("spherecap: stopped; nothing more was written", file=sys.stderr)
         return 130
 
 
@@ -86,7 +87,9 @@ def _arguments(words: list[str] | None) -> argparse.Namespace:
         f"--minutes; {REFERENCE} with --spp)",
     )
     compare.add_argument(
-        "--sensor", metavar="ID", help="the id or the number, from 1, of the sensor (default: the first)"
+        "--sensor",
+        metavar="ID",
+        help="the id or the number, from 1, of the sensor, or all: one after the other (default: the first)",
     )
     compare.add_argument(
         "--variant", help="variant of Mitsuba (default: llvm_ad_rgb where LLVM is installed, else scalar_rgb)"
@@ -161,55 +164,70 @@ def _compare(chosen: argparse.Namespace) -> int:
     if not scene.convertible:
         raise UserError(scene.explain_no_lights())
     scene.must_be_renderable()
-    sensor, which = _sensor(chosen.scene, scene.sensors, chosen.sensor)
+    sensors = _sensors(chosen.scene, scene.sensors, chosen.sensor)
     for light in scene.refused:
         print(f"stays as it is: {light.where}: {light.refusal}")
-
-    def load(emitter: str, **own: str) -> "mi.Scene":
-        loaded = scene.load(emitter, sensor, **own)
-        resize(loaded, chosen.size, None if endless else SIZE)
-        return loaded
-
-    once = load(BUILT_IN)  # Mitsuba's warnings are heard here.
-    width, height = once.sensors()[0].film().crop_size()
-    counts = sorted({samples_taken(once, spp) for spp in chosen.spp or COUNTS})
-    del once
-    count = len(scene.convertible)
-    lights = f"{count} sphere light{'s' if count > 1 else ''}"
-    details = f"{lights}, {width} x {height} pixels, {variant}, spherecap {info.version('spherecap')}{which}"
-    print(f"{chosen.scene}: {details}")
     reference = chosen.reference or (REFERENCE if endless else None)
-    seconds = None if endless else 60 * (chosen.minutes or MINUTES)
-    with quiet():
-        results, pieces, truth = _measured(scene, load, counts, reference, seconds)
-    parts = divide(pieces, truth) if pieces else None
-    sentences = verdict(scene, results, truth, parts)
-    print(f"reference: {truth.origin}, relative RMSE {truth.noise**0.5:.2g}")
-    print(table(results, truth))
-    if parts:
-        print(text_table(parts_table(parts)))
-    print("\n".join(sentences))
-    page = _write_folder(
-        output,
-        lambda folder: write_report(folder, chosen.scene.name, details, sentences, parts, results, truth),
-    )
-    print(f"page: {page}")
+    seconds = None if endless else 60 * (chosen.minutes or MINUTES) / len(sensors)
+    for sensor, which, folder in sensors:
+
+        def load(emitter: str, sensor: int = sensor, **own: str) -> "mi.Scene":
+            loaded = scene.load(emitter, sensor, **own)
+            resize(loaded, chosen.size, None if endless else SIZE)
+            return loaded
+
+        once = load(BUILT_IN)  # Mitsuba's warnings are heard here.
+        width, height = once.sensors()[0].film().crop_size()
+        counts = sorted({samples_taken(once, spp) for spp in chosen.spp or COUNTS})
+        del once
+        count = len(scene.convertible)
+        lights = f"{count} sphere light{'s' if count > 1 else ''}"
+        details = (
+            f"{lights}, {width} x {height} pixels, {variant}, spherecap {info.version('spherecap')}{which}"
+        )
+        print(f"{chosen.scene}: {details}")
+        with quiet():
+            results, pieces, truth, is_stopped = _measured(scene, load, counts, reference, seconds)
+        parts = divide(pieces, truth) if pieces else None
+        sentences = verdict(scene, results, truth, parts)
+        print(f"reference: {truth.origin}, relative RMSE {truth.noise**0.5:.2g}")
+        print(table(results, truth))
+        if parts:
+            print(text_table(parts_table(parts)))
+        print("\n".join(sentences))
+        said = (chosen.scene.name, details, sentences, parts, results, truth)
+        page = _write_folder(output / folder, lambda place, said=said: write_report(place, *said))
+        print(f"page: {page}", flush=True)
+        if is_stopped:
+            break
     return 0
 
 
-def _sensor(scene: Path, ids: list[str], wanted: str | None) -> tuple[int, str]:
-    """Return the index of the sensor that is wanted, and words on which it is, if there are several."""
+def _sensors(scene: Path, ids: list[str], wanted: str | None) -> list[tuple[int, str, str]]:
+    """Return the sensors that are wanted: their indices, words on which it is, and folders for their pages.
+
+    If there is one, its words and its folder are empty: the page is in the folder of the comparison itself.
+    """
     names = [str(number) for number in range(1, len(ids) + 1)]
-    number = 0
-    if wanted is not None:
-        if wanted not in ids and wanted not in names:
-            there = ", ".join(f"{n} ({i})" if i else n for n, i in zip(names, ids, strict=True))
-            raise UserError(f"'{scene}' has no sensor '{wanted}'; choose one of: {there}")
-        number = ids.index(wanted) if wanted in ids else names.index(wanted)
+    if wanted == "all" and wanted not in ids:
+        chosen = range(len(ids))
+    elif wanted is None:
+        chosen = range(1)
+    elif wanted in ids or wanted in names:
+        chosen = [ids.index(wanted) if wanted in ids else names.index(wanted)]
+    else:
+        there = ", ".join(f"{n} ({i})" if i else n for n, i in zip(names, ids, strict=True))
+        raise UserError(f"'{scene}' has no sensor '{wanted}'; choose one of: {there}; or all")
     if len(ids) == 1:
-        return number, ""
-    name = f" '{ids[number]}'" if ids[number] else ""
-    return number, f", sensor {number + 1}{name} of {len(ids)} (--sensor chooses)"
+        return [(0, "", "")]
+    found = []
+    for index in chosen:
+        name = f" '{ids[index]}'" if ids[index] else ""
+        # Ids may have characters that file names may not.
+        folder = re.sub(r"[^\w-]", "_", f"{names[index]}-{ids[index]}" if ids[index] else names[index])
+        words = f", sensor {names[index]}{name} of {len(ids)} (--sensor chooses)"
+        found.append((index, words, folder if len(chosen) > 1 else ""))
+    return found
 
 
 def _measured(
@@ -218,8 +236,8 @@ def _measured(
     counts: list[int],
     reference: int | None,
     seconds: float | None,
-) -> tuple[list["Result"], dict[str, "Result"] | None, "Reference"]:
-    """Render with a progress bar: results, what the noise is made of, and the reference.
+) -> tuple[list["Result"], dict[str, "Result"] | None, "Reference", bool]:
+    """Render with a progress bar: results, what the noise is made of, the reference, whether it was stopped.
 
     reference: its samples per pixel; the mean of all that is rendered if it is None. seconds: how long it may
     take; the fewest samples are measured in any case.
@@ -241,7 +259,7 @@ def _measured(
     apart = max((spp for spp in counts if spp <= 16), default=counts[0])
     planned = samples_to_render(counts, reference or 0) + apart * renders_of_pieces(scene)
     done = 0
-    pieces = None
+    pieces, is_stopped = None, False
     form = "{desc}: {percentage:3.0f}%|{bar}| {elapsed}<{remaining}"
     with tqdm(total=1.0, desc="comparing", bar_format=form) as bar:
 
@@ -266,14 +284,15 @@ def _measured(
             if seconds:
                 comparison.repeat(deadline)
             if reference:
-                return results, pieces, rendered_reference(load, reference, advance)
+                return results, pieces, rendered_reference(load, reference, advance), False
         except KeyboardInterrupt:
             if not results:
                 raise
+            is_stopped = True
             bar.write("stopped: this is what was found so far")
         finally:
             bar.update(1 - bar.n)
-    return results, pieces, mean_of_all(results)
+    return results, pieces, mean_of_all(results), is_stopped
 
 
 def _write_folder(output: Path, write: Callable[[Path], Path]) -> Path:
@@ -308,7 +327,9 @@ def _convert(chosen: argparse.Namespace) -> int:
     for path in conversion.files:
         print(f"written: {path}")
     given = [word for name, value in parameters.items() for word in ("-D", f"{name}={value}")]
-    command = shlex.join(["mitsuba", "-a", str(spherecap.PLUGIN.parent.parent), *given, str(chosen.result)])
+    # A variant that needs no LLVM: the command takes any that it finds in the system, too old or not.
+    package = str(spherecap.PLUGIN.parent.parent)
+    command = shlex.join(["mitsuba", "-m", "scalar_rgb", "-a", package, *given, str(chosen.result)])
     print(f"to render it: {command}\nor in Python: import spherecap, before mitsuba")
     return 0
 
@@ -324,7 +345,7 @@ def _info() -> int:
     if spherecap is None:
         raise UserError(UNUSABLE)
     print(f"plugin: {spherecap.PLUGIN}, built for Mitsuba {spherecap.BUILT_FOR}")
-    print(f"for the mitsuba command: -a {spherecap.PLUGIN.parent.parent}")
+    print(f"for the mitsuba command: -a {shlex.quote(str(spherecap.PLUGIN.parent.parent))}")
     print("variants:")
     for variant, problem in info.usable_variants():
         print(f"  {variant:<32} {problem or 'loads the emitter'}")

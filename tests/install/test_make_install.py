@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -57,8 +58,8 @@ def make(target: str, *settings: str) -> str:
 
 @pytest.fixture(scope="module")
 def prefix(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Install once."""
-    folder = tmp_path_factory.mktemp("prefix")
+    """Install once, in a folder with a space."""
+    folder = tmp_path_factory.mktemp("a prefix")
     make("install", f"PREFIX={folder}")
     return folder
 
@@ -76,7 +77,7 @@ def pkg_config(prefix: Path, *words: str) -> list[str]:
     program = TOOLS / "pkg-config"
     assert program.exists(), f"there is no {program}: install what requirements.txt lists"
     path = str(prefix / "lib/pkgconfig")
-    return run(program, *words, "spherecap", folder=prefix, PKG_CONFIG_PATH=path).split()
+    return shlex.split(run(program, *words, "spherecap", folder=prefix, PKG_CONFIG_PATH=path))
 
 
 @pytest.mark.parametrize(("compiler", "standard", "source"), [
@@ -207,7 +208,10 @@ def blocks(page: Path, language: str) -> list[str]:
 
 
 def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
-    """Its programs, in both languages, by its lines for pkg-config, and its list of what is installed."""
+    """Its programs, in both languages, by its lines for pkg-config, and its list of what is installed.
+
+    The lines as they are to be written for a folder with a space.
+    """
     page = REPOSITORY / "docs/c.md"
     single, several, sun, batch = blocks(page, "c")
     _, compile_lines = blocks(page, "sh")
@@ -216,7 +220,7 @@ def test_the_page_on_the_c_library(prefix: Path, tmp_path: Path) -> None:
         (tmp_path / "program.c").write_text(program)
         warnings = "-pedantic -Wall -Wextra -Werror"
         line = compile_line.replace("program.c", f"{warnings} program.c")
-        run("sh", "-ec", line, folder=tmp_path, PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig"))
+        run("sh", "-ec", f"eval {line}", folder=tmp_path, PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig"))
         return run(tmp_path / "program", folder=tmp_path, LD_LIBRARY_PATH=str(prefix / "lib")).split()
 
     lines = compile_lines.splitlines()

@@ -477,13 +477,15 @@ def test_the_size_of_the_image(tmp_path: Path, capsys: pytest.CaptureFixture) ->
     assert "10 x 5 pixels" in printed
 
 
+OTHER_SENSOR = """<sensor type="perspective" id="other">
+    <transform name="to_world"><lookat origin="3, 0, 5" target="0, 0, 0" up="0, 0, 1"/></transform>
+    <film type="hdrfilm"><integer name="width" value="10"/><integer name="height" value="10"/></film>
+</sensor>"""
+
+
 def test_a_sensor_is_chosen(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     """By its id or its number; the first, and the output says so, where none is."""
-    other = """<sensor type="perspective" id="other">
-        <transform name="to_world"><lookat origin="3, 0, 5" target="0, 0, 0" up="0, 0, 1"/></transform>
-        <film type="hdrfilm"><integer name="width" value="10"/><integer name="height" value="10"/></film>
-    </sensor>"""
-    text = room(lamp(0, 0.1), more=other)
+    text = room(lamp(0, 0.1), more=OTHER_SENSOR)
     for number, (words, expected) in enumerate(
         {
             (): "32 x 16 pixels, .*, sensor 1 'above' of 2 \\(--sensor chooses\\)",
@@ -493,6 +495,21 @@ def test_a_sensor_is_chosen(tmp_path: Path, capsys: pytest.CaptureFixture) -> No
     ):
         (tmp_path / str(number)).mkdir()
         assert re.search(expected, compared(tmp_path / str(number), text, capsys, *IN_FULL, *words))
+
+
+def test_all_sensors(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
+    """One after the other, each with a page of its own, within the time for all."""
+    start = time.perf_counter()
+    printed = compared(
+        tmp_path, room(lamp(0, 0.1), more=OTHER_SENSOR), capsys, "--sensor", "all", "--minutes", "0.1"
+    )
+    assert time.perf_counter() - start < 20  # The fewest renders are taken in any case, and much is loaded.
+    assert re.findall(r"sensor (\d '\w+') of 2", printed) == ["1 'above'", "2 'other'"]
+    pages = [Path(page) for page in re.findall("^page: (.*)$", printed, re.MULTILINE)]
+    assert [page.parent.name for page in pages] == ["1-above", "2-other"]
+    sizes = [mi.Bitmap(str(page.parent / "reference.exr")).size() for page in pages]
+    assert [list(size) for size in sizes] == [[32, 16], [10, 10]]
+    assert all(page.name in {one.name for one in page.parent.iterdir()} for page in pages)
 
 
 BELOW = SPHERE.replace('z="4"', 'z="-9"')
@@ -572,7 +589,7 @@ MISTAKES = {
     ),
     "no such sensor": (
         lambda t: ["compare", scene(t, SPHERE), "--sensor", "left"],
-        "a.xml' has no sensor 'left'; choose one of: 1$",
+        "a.xml' has no sensor 'left'; choose one of: 1; or all$",
     ),
     "a mistake in the light": (
         lambda t: ["compare", scene(t, MISTAKEN)],

@@ -15,6 +15,7 @@ from report import convergence, crops, renders
 from report.build import Plan, build, full_plan
 from report.renders import Settings
 from report.speed import front
+from report.targets import counts
 
 PLAN = Plan(
     # Analytic references: nothing else is rendered.
@@ -68,32 +69,32 @@ def test_is_self_contained(page: str) -> None:
 
 
 def test_targets_are_the_inputs_numbers(page: str) -> None:
-    """Every number, and what is said of it: ratios do not count where the baseline is too slow."""
-    times, counts = rows("ratio", 1.001, 0.01), rows("instructions", 101.0, 1.0)
+    """Every number of the inputs, and what is said of it."""
+    times, counted = rows("ratio", 1.001, 0.01), rows("instructions", 101.0, 1.0)
 
     def number(table: list[dict], column: str, *key: str) -> float:
         (row,) = (r for r in table if (r["set"], r["lane"], r["method"], r["task"]) == ("mix", *key))
         return row[column]
 
+    def nanoseconds(method: str, task: str) -> float:
+        return number(times, "nanoseconds", "f32", method, task)
+
     one, many = "prepare + 1 sample", "prepare + 16 samples"
+    ours, plain = "projected", "solid_angle"
     expected = [
-        *((number(counts, "instructions", "f32", "solid_angle", task), 0) for task in (one, many)),
-        *((number(counts, "instructions", "f32", "projected", task), 0) for task in (one, many)),
-        *((number(times, "ratio", "f32", "projected", task), 2) for task in (one, many)),
-        *((number(times, "ratio", lane, "projected", one), 2) for lane in ("AVX-512", "AVX2")),
+        *((number(counted, "instructions", "f32", ours, task), 0) for task in (one, many)),
+        *((number(counted, "instructions", "f32", plain, task), 0) for task in (one, many)),
+        *((nanoseconds(ours, task) / nanoseconds("published", task), 2) for task in (one, many)),
+        *((nanoseconds(ours, task) / nanoseconds("published, cube root", task), 2) for task in (one, many)),
+        *((number(counted, "instructions", lane, ours, one), 0) for lane in ("AVX2", "AVX-512")),
     ]
     section = page[page.index('<h2 id="targets"') : page.index('<h2 id="limits"')]
     cells = [re.findall("<td>(.*?)</td>", row) for row in re.findall("<tr>(.*?)</tr>", section)][1:]
-    assert [row[2] for row in cells[:8]] == [f"{value:.{digits}f}" for value, digits in expected]
-    assert cells[9][2] == "204"
-    assert [re.sub("<.*?>", "", row[3]) for row in cells[:6]] == [
-        "missed",
-        "missed",
-        "met",
-        "missed",
-        "does not count",
-        "missed",
-    ]
+    assert [row[2] for row in cells[:10]] == [f"{value:.{digits}f}" for value, digits in expected]
+    for row, (value, _) in zip(cells, expected, strict=False):
+        assert re.sub("<.*?>", "", row[3]) == ("met" if value <= float(row[1]) else "missed"), row
+    assert {row[3] for row in cells} == {"met", '<span class="missed">missed</span>'}
+    assert cells[-2][2] == str(counts()["sampler, bytes"])
 
 
 def test_resumes(folder: Path) -> None:

@@ -65,7 +65,7 @@ def build(inputs: Path, output: Path, plan: Plan) -> Path:
         results = renders.renders(kept / "curves", plan.convergence, bar.update)
         pictures = crops.section(kept / "crops", plan.crops, bar.update)
     sections = [
-        targets.section(bench, counts, maps, alone),
+        targets.section(bench, counts, alone, results),
         limits.section(),
         speed.section(bench, maps),
         bound.section(maps),

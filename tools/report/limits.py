@@ -4,11 +4,10 @@ from report.page import Section, table
 
 # Of the graph that the recorded kernel leaves of a direction and its density, without what has no use in it.
 WORK = (
-    "<p>Prototypes set the ceilings; they had no answer for cancelled digits and overflow. A direction by "
-    "<code>solid_angle</code> with its density, right in single precision at every size and distance, is "
-    "201 additions, multiplications, fused ones, divisions and roots, and 60 comparisons, choices and "
-    "operations on bits: more than the ceiling of 110 instructions before anything is loaded or stored. "
-    "Of these</p><ul><li>some 55 tell how far the light's limb is from the horizon and from the point, by "
+    "<p>Before the kernel followed one side of a branch alone, a direction by <code>solid_angle</code> with "
+    "its density, right in single precision at every size and distance, was 201 additions, multiplications, "
+    "fused ones, divisions and roots, and 60 comparisons, choices and operations on bits. Of "
+    "these</p><ul><li>some 55 tell how far the light's limb is from the horizon and from the point, by "
     "dot products that carry their rounding errors along: the projected solid angle of the published "
     "method, which has none, is off by 100 % at r/d = 0.01 where the horizon cuts the light;</li><li>17 "
     "scale the scene by a power of two: distances of 1e18 and of 1e-18 give what 1 gives;</li><li>some 55 "

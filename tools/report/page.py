@@ -30,6 +30,7 @@ COLOURS = {
     "area": "tab:red",
     "solid_angle": "tab:orange",
     "published": "tab:purple",
+    "published, cube root": "tab:pink",
     "projected_bounded": "tab:green",
     "projected": "tab:blue",
 }
