@@ -12,6 +12,7 @@ HEADERS := $(wildcard include/*.h)
 # The releases of Mitsuba that the plugin can be built for beside the pinned one, and one that it must refuse.
 OLDER_MITSUBAS := $(shell sed -n 's/^set(mitsubas [^ ]* \(.*\))/\1/p' mitsuba_plugin/CMakeLists.txt)
 MITSUBAS := $(patsubst %,.venv-mitsuba-%/installed,$(OLDER_MITSUBAS) 3.6.4)
+DXC := .venv-shaders/libdxcompiler_x86_64.so.3.7
 C_RENDERER := build/renderer
 INLINE_RENDERER := build/renderer_inline
 IRRADIANCE := build/irradiance
@@ -235,7 +236,7 @@ test-mitsubas: build $(MITSUBAS) ## The plugin with other releases of Mitsuba: l
 	    "again with \`make PYTHON=python3.11 test-mitsubas\`" >&2; exit 1; }
 	touch $@
 
-test-shaders: .venv-shaders/installed ## Run the shaders on a Vulkan device; needs one, glslang-tools and spirv-tools.
+test-shaders: .venv-shaders/installed $(DXC) ## Run the shaders on a Vulkan device; needs one, glslang-tools and spirv-tools.
 	cargo test --release --locked --test source
 	.venv-shaders/bin/python -m pytest tests/shaders/executed.py -s
 
@@ -245,6 +246,15 @@ shader-picture: .venv-shaders/installed ## Render SHADER on a Vulkan device, as 
 
 shader-cost: .venv-shaders/installed ## What sampling costs in GLSL on AMD's Navi 21, which need not be there: instructions and registers.
 	.venv-shaders/bin/python tests/shaders/cost.py
+
+# DXC comes within a source archive (67 MB) of a package whose other parts would have to be compiled.
+$(DXC): | .venv-shaders/installed
+	@echo "Downloading DXC: 67 MB."
+	@.venv-shaders/bin/python -m pip download --quiet --disable-pip-version-check --no-deps --no-binary :all: \
+	    --dest $(@D) compushady==0.17.5
+	tar -xzf $(@D)/compushady-0.17.5.tar.gz -C $(@D) --strip-components=3 compushady-0.17.5/compushady/backends/$(@F)
+	rm $(@D)/compushady-0.17.5.tar.gz
+	touch $@
 
 .venv-shaders/installed: tests/shaders/requirements.txt
 	$(PYTHON) -m venv .venv-shaders

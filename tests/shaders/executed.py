@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 
 import cost
+import dxc
 import numpy as np
 import picture
 import pytest
@@ -35,6 +36,8 @@ def run(device, language, records, folder):
     """Give what a file's functions give for records."""
     if language == "wgsl":
         return run_wgsl(main(language), records, OUTPUTS)
+    if language == "hlsl by DXC":
+        return device.run(dxc.compiled(main("hlsl")), records, OUTPUTS)
     # What the file for Slang uses is HLSL, too.
     spirv = compiled(main(language), [] if language == "glsl" else HLSL, folder, language)
     return device.run(spirv, records, OUTPUTS)
@@ -45,7 +48,7 @@ def relative(found, expected):
     return np.abs(found / expected.astype(np.float64) - 1)
 
 
-@pytest.mark.parametrize("language", ["glsl", "hlsl", "slang", "wgsl"])
+@pytest.mark.parametrize("language", ["glsl", "hlsl", "hlsl by DXC", "slang", "wgsl"])
 def test_shaders_agree_with_the_library(device, language, tmp_path):
     """Over the records of tests/source.rs."""
     records = np.fromfile(RECORDS / "records", np.float32).reshape(-1, INPUTS)
