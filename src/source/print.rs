@@ -119,7 +119,8 @@ impl<'a> Printer<'a> {
             let Some(stem) = name(x).strip_suffix("_x") else { continue };
             let is_vector =
                 name(y).strip_suffix("_y") == Some(stem) && name(z).strip_suffix("_z") == Some(stem);
-            if let Some(vector) = self.scaled_parts([x, y, z]).filter(|_| is_vector) {
+            let is_free = !self.taken.contains(stem);
+            if let Some(vector) = self.scaled_parts([x, y, z]).filter(|_| is_vector && is_free) {
                 let stem = stem.to_owned();
                 for (value, end) in [(x, "x"), (y, "y"), (z, "z")] {
                     self.components.insert(value, format!("{stem}.{end}"));
@@ -271,7 +272,11 @@ impl<'a> Printer<'a> {
                 self.language.vector(parts)
             }
             Vector::Scaled(vector, number) => {
-                format!("{} * {}", self.written(vector), self.text(*number, Sign))
+                let (text, number) = (self.written(vector), self.text(*number, Sign));
+                match **vector {
+                    Vector::Sum(..) => format!("({text}) * {number}"),
+                    _ => format!("{text} * {number}"),
+                }
             }
             Vector::Sum(a, b) => format!("{} + {}", self.written(a), self.written(b)),
             Vector::Cross(a, b) => format!("cross({}, {})", self.written(a), self.written(b)),
