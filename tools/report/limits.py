@@ -65,4 +65,5 @@ TRIED = (
 def section() -> Section:
     """Return the text and the table."""
     rows = [list(row) for row in TRIED]
-    return Section("limits", "Where the work goes", WORK + table(["tried", "result", ""], rows))
+    tried = f'<div class="words">{table(["tried", "result", ""], rows)}</div>'
+    return Section("limits", "Where the work goes", WORK + tried)

@@ -22,6 +22,7 @@ table { border-collapse: collapse; font-size: 14px; font-variant-numeric: tabula
   overflow-x: auto }
 td, th { padding: 2px 10px; text-align: right; border-bottom: 1px solid #ddd }
 td:first-child, th:first-child { text-align: left }
+.words td, .words th { text-align: left }
 .missed { color: #a40000; font-weight: bold }
 """
 
