@@ -130,7 +130,10 @@ impl Tape {
         let mut padded = [0; 3];
         padded[..N].copy_from_slice(&operands);
         let is_same = |&&known: &&Index| matches!(self.entries.borrow()[known], Entry::Op(other, others) if other == op && others == padded);
-        let known = self.known.borrow().iter().rev().find(is_same).copied();
+        // It comes after all that it reads.
+        let newest = operands.into_iter().max();
+        let is_after = |&&known: &&Index| Some(known) > newest;
+        let known = self.known.borrow().iter().rev().take_while(is_after).find(is_same).copied();
         known.unwrap_or_else(|| {
             let index = self.push(Entry::Op(op, padded));
             self.known.borrow_mut().push(index);
