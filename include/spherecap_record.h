@@ -120,6 +120,22 @@ typedef struct spherecap_recorded_sample_t {
     struct spherecap_recorded_density_t density;
 } spherecap_recorded_sample_t;
 
+// What is known of the importances of some lights: a `spherecap_total_t`.
+typedef struct spherecap_recorded_total_t {
+    // Their sum.
+    struct spherecap_term_t sum;
+    // How many of them are positive.
+    struct spherecap_term_t lit;
+} spherecap_recorded_total_t;
+
+// Nodes that compute a total. They are the caller's, who has to release each.
+typedef struct spherecap_total_nodes_t {
+    // The sum.
+    uint64_t sum;
+    // How many are positive.
+    uint64_t lit;
+} spherecap_total_nodes_t;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -160,6 +176,30 @@ uint32_t spherecap_record_importance(const struct spherecap_recorder_t *recorder
                                      const struct spherecap_recorded_input_t *input,
                                      const struct spherecap_term_t *strength,
                                      uint64_t *importance);
+
+// Records the addition of a light's importance to a total: a loop of the caller's over all lights, from zeros, gives what
+// `spherecap_total` does, in single precision.
+//
+// Stores the nodes that compute the total with it at `with`; see `spherecap_record_sample` for who owns what, and for memory. An
+// importance counts as `spherecap_total` says; one that is below 2^-126, as no recorded one is, may have lost its precision.
+//
+// Errors: NULL_POINTER (of the recorder's functions, too), RECORDER; then zeros are stored, and no node is left.
+uint32_t spherecap_record_total(const struct spherecap_recorder_t *recorder,
+                                const struct spherecap_term_t *importance,
+                                const struct spherecap_recorded_total_t *total,
+                                struct spherecap_total_nodes_t *with);
+
+// Records the probability with which a light of this importance is chosen: what `spherecap_choice_probability` stores, in single
+// precision. `even` is as there; outside [0, 1] the nearer end, and 0 for NaN.
+//
+// Stores the node that computes it; see `spherecap_record_sample` for who owns what, and for memory.
+//
+// Errors: as `spherecap_record_total`.
+uint32_t spherecap_record_choice_probability(const struct spherecap_recorder_t *recorder,
+                                             const struct spherecap_term_t *importance,
+                                             const struct spherecap_recorded_total_t *total,
+                                             const struct spherecap_term_t *even,
+                                             uint64_t *probability);
 
 #ifdef __cplusplus
 }  // extern "C"

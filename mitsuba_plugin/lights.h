@@ -180,9 +180,25 @@ private:
     struct Total {
         Float sum, lit;
 
+        spherecap_recorded_total_t recorded() const {
+            return {Recorder<Float>::term(sum), Recorder<Float>::term(lit)};
+        }
+
+        void add(const Float &importance) {
+            const spherecap_term_t term = Recorder<Float>::term(importance);
+            const spherecap_recorded_total_t total = recorded();
+            const auto with = Recorder<Float>().template record<spherecap_total_nodes_t>(
+                spherecap_record_total, &term, &total);
+            sum = Recorder<Float>::number(with.sum);
+            lit = Recorder<Float>::number(with.lit);
+        }
+
         Float share(const Float &importance) const {
-            return dr::select(importance > 0.f,
-                              dr::fmadd(importance, (1.f - Even) / sum, dr::rcp(lit) * Even), 0.f);
+            const spherecap_term_t term = Recorder<Float>::term(importance),
+                                   even = Recorder<Float>::term(Even);
+            const spherecap_recorded_total_t total = recorded();
+            return Recorder<Float>::number(Recorder<Float>().template record<uint64_t>(
+                spherecap_record_choice_probability, &term, &total, &even));
         }
     };
 
@@ -195,9 +211,10 @@ private:
                 return active && index < uint32_t(m_count);
             },
             [&](UInt32 &index, Float &sum, Float &lit) {
-                const Float own = importance(strategy, p, n, index, active);
-                sum += own;
-                dr::masked(lit, own > 0.f) = lit + 1.f;
+                Total total{sum, lit};
+                total.add(importance(strategy, p, n, index, active));
+                sum = total.sum;
+                lit = total.lit;
                 index += 1;
             },
             "spherecap lights");
@@ -210,8 +227,9 @@ private:
         const Vector3f centre = light.center - p;
         const Float strength = dr::gather<Float>(m_strength, index, active);
         const spherecap_term_t term = Recorder<Float>::term(strength);
-        return Recorder<Float>::number(Recorder<Float>().record(
-            spherecap_record_importance, strategy.recorded(n, centre, light.radius), &term));
+        const spherecap_recorded_input_t input = strategy.recorded(n, centre, light.radius);
+        return Recorder<Float>::number(
+            Recorder<Float>().template record<uint64_t>(spherecap_record_importance, &input, &term));
     }
 
     void store(const UInt32 &index, const Sphere &sphere, const UnpolarizedSpectrum &radiance) {

@@ -25,16 +25,14 @@ class RecorderBase {
 protected:
     explicit RecorderBase(JitBackend backend) : m_backend(backend) {}
 
-    /// Calls a `spherecap_record_...` function.
-    template <typename Result>
-    Result record(uint32_t (*function)(const spherecap_recorder_t *, const spherecap_recorded_input_t *,
-                                       const spherecap_term_t *, Result *),
-                  const spherecap_recorded_input_t &input, const spherecap_term_t *numbers) {
+    /// Calls a `spherecap_record_...` function with what it takes between the recorder and the result.
+    template <typename Result, typename Function, typename... Inputs>
+    Result record(Function function, const Inputs &...inputs) {
         const bool conditionals = jit_flag(JitFlag::SymbolicConditionals);
         const spherecap_recorder_t recorder{
             this, literal, op, release, conditionals ? begin_if : nullptr, conditionals ? end_if : nullptr};
         Result result;
-        const uint32_t status = function(&recorder, &input, numbers, &result);
+        const uint32_t status = function(&recorder, inputs..., &result);
         while (!m_open.empty()) // after an error
             leave();
         if (m_error)

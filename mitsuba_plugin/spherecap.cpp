@@ -424,8 +424,9 @@ private:
                            const Point2f &sample) {
                     using Recorder = mitsuba::Recorder<Float>;
                     const spherecap_term_t u[2] = {Recorder::term(sample.x()), Recorder::term(sample.y())};
-                    const spherecap_recorded_sample_t drawn = Recorder().record(
-                        spherecap_record_sample, strategy.recorded(normal, centre, radius), u);
+                    const spherecap_recorded_input_t input = strategy.recorded(normal, centre, radius);
+                    const auto drawn = Recorder().template record<spherecap_recorded_sample_t>(
+                        spherecap_record_sample, &input, u);
                     Recorder::mask(drawn.is_sampled); // Else the density is zero.
                     for (uint64_t unused : {drawn.cosine, drawn.density.projected_solid_angle})
                         Recorder::number(unused);
@@ -472,8 +473,9 @@ private:
                     using Recorder = mitsuba::Recorder<Float>;
                     spherecap_term_t d[3];
                     Recorder::terms(direction, d);
-                    const spherecap_recorded_density_t density = Recorder().record(
-                        spherecap_record_pdf_on_sphere, strategy.recorded(normal, centre, radius), d);
+                    const spherecap_recorded_input_t input = strategy.recorded(normal, centre, radius);
+                    const auto density = Recorder().template record<spherecap_recorded_density_t>(
+                        spherecap_record_pdf_on_sphere, &input, d);
                     Recorder::number(density.projected_solid_angle);
                     return Recorder::number(density.solid_angle);
                 },

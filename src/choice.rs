@@ -4,6 +4,8 @@
 //! Sums and intervals are in double precision: what rounding leaves to the last light does not grow with their number, and is about
 //! as much as a random number in single precision resolves.
 
+use crate::lane::Lane;
+
 /// What is known of the importances of all lights at a point: enough for the probability of each.
 ///
 /// ```
@@ -71,10 +73,10 @@ impl Total {
     /// ```
     pub fn choose(&self, importances: &[f32], even: f32, u: f32) -> Choice {
         let target = f64::from(fraction(u));
-        let shares = Shares::new(self, even);
+        let shares = self.shares(even);
         let (mut index, mut own, mut start, mut end) = (0, 0.0, 0.0, 0.0);
         for (i, &importance) in importances.iter().enumerate() {
-            let share = shares.of(importance);
+            let share = shares.seen_in_single(importance);
             if share > 0.0 {
                 (index, own, start) = (i, share, end);
                 end += share;
@@ -91,7 +93,11 @@ impl Total {
     /// The probability with which [`Total::choose`] gives a light of this importance, the same bits: for the density of a direction
     /// that something else has sampled, as multiple importance sampling asks for it.
     pub fn probability(&self, importance: f32, even: f32) -> f32 {
-        Shares::new(self, even).of(importance) as f32
+        self.shares(even).seen_in_single(importance) as f32
+    }
+
+    fn shares(&self, even: f32) -> Shares<f64> {
+        Shares::new(f64::from(self.sum), f64::from(self.lit), f64::from(even))
     }
 }
 
@@ -122,27 +128,43 @@ impl Sums {
     }
 }
 
+/// A sum of weights and how many of them are not 0, with one more.
+#[inline(always)]
+pub(crate) fn add<L: Lane>(importance: L, sum: L, lit: L) -> (L, L) {
+    let (zero, weight) = (L::lit(0.0), weight(importance));
+    (sum + weight, L::select(zero.lt(weight), lit + L::lit(1.0), lit))
+}
+
 /// What a probability is made of: `scale` times the importance and the even part.
 ///
 /// One light has 1 to double precision, and so 1 exactly in single.
-struct Shares {
-    scale: f64,
-    even: f64,
+pub(crate) struct Shares<L> {
+    scale: L,
+    even: L,
 }
 
-impl Shares {
-    fn new(total: &Total, even: f32) -> Self {
-        let even = f64::from(fraction(even));
-        let (sum, lit) = (f64::from(total.sum), f64::from(total.lit));
-        let is_lit = sum > 0.0 && total.lit > 0;
-        let [scale, even] = if is_lit { [(1.0 - even) / sum, even / lit] } else { [0.0; 2] };
-        Self { scale, even }
+impl<L: Lane> Shares<L> {
+    /// For a sum of weights, how many of them are not 0, and the fraction that is spread evenly over those.
+    #[inline(always)]
+    pub(crate) fn new(sum: L, lit: L, even: L) -> Self {
+        let (zero, one) = (L::lit(0.0), L::lit(1.0));
+        let even = fraction(even);
+        let is_lit = zero.lt(sum) & zero.lt(lit);
+        Self { scale: L::select(is_lit, (one - even) / sum, zero), even: L::select(is_lit, even / lit, zero) }
     }
 
+    /// The share of a light.
+    #[inline(always)]
+    pub(crate) fn of(&self, importance: L) -> L {
+        let (zero, weight) = (L::lit(0.0), weight(importance));
+        L::select(zero.lt(weight), weight * self.scale + self.even, zero)
+    }
+}
+
+impl Shares<f64> {
     /// The share of a light: 0 where its probability, in single precision, would be, so that none is chosen with a density of 0.
-    fn of(&self, importance: f32) -> f64 {
-        let weight = f64::from(weight(importance));
-        let share = if weight == 0.0 { 0.0 } else { weight * self.scale + self.even };
+    fn seen_in_single(&self, importance: f32) -> f64 {
+        let share = self.of(f64::from(importance));
         if share as f32 == 0.0 {
             0.0
         } else {
@@ -153,24 +175,19 @@ impl Shares {
 
 /// What an importance counts as. 2^32 of the largest are no infinite sum.
 #[inline(always)]
-fn weight(importance: f32) -> f32 {
-    const LARGEST: f32 = (1_u128 << 95) as f32;
-    // Not by `max`, which may give either zero.
-    let positive = if importance > 0.0 { importance } else { 0.0 };
-    if positive < LARGEST {
-        positive
-    } else {
-        LARGEST
-    }
+fn weight<L: Lane>(importance: L) -> L {
+    clamped(importance, L::lit((1_u128 << 95) as f64))
 }
 
 /// A number in [0, 1]: the nearer end, or 0 for NaN.
 #[inline(always)]
-fn fraction(x: f32) -> f32 {
-    let x = if x > 0.0 { x } else { 0.0 };
-    if x < 1.0 {
-        x
-    } else {
-        1.0
-    }
+fn fraction<L: Lane>(x: L) -> L {
+    clamped(x, L::lit(1.0))
+}
+
+/// Not by `max`, which may give either zero.
+#[inline(always)]
+fn clamped<L: Lane>(x: L, most: L) -> L {
+    let zero = L::lit(0.0);
+    L::select(zero.lt(x), x, zero).min(most)
 }

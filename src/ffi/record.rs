@@ -6,6 +6,7 @@
 
 use super::calls::{enums, store, NULL_POINTER};
 use super::single::spherecap_status_t as Status;
+use crate::choice::{add, Shares};
 use crate::input::{is_unit, Input};
 use crate::lane::recorded::{Backend, Conditional, NodeId, Op, Recorded, RecordedMask, Tape, Wanted};
 use crate::lane::Lane;
@@ -117,6 +118,26 @@ pub struct spherecap_recorded_input_t {
     pub centre: [spherecap_term_t; 3],
     /// The sphere's radius.
     pub radius: spherecap_term_t,
+}
+
+/// What is known of the importances of some lights: a `spherecap_total_t`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct spherecap_recorded_total_t {
+    /// Their sum.
+    pub sum: spherecap_term_t,
+    /// How many of them are positive.
+    pub lit: spherecap_term_t,
+}
+
+/// Nodes that compute a total. They are the caller's, who has to release each.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct spherecap_total_nodes_t {
+    /// The sum.
+    pub sum: u64,
+    /// How many are positive.
+    pub lit: u64,
 }
 
 /// Nodes that compute a density. They are the caller's, who has to release each.
@@ -391,4 +412,70 @@ pub unsafe extern "C" fn spherecap_record_importance(
     });
     // SAFETY: the header's contract.
     unsafe { store(importance, result) }
+}
+
+/// Records the addition of a light's importance to a total: a loop of the caller's over all lights, from zeros, gives what
+/// `spherecap_total` does, in single precision.
+///
+/// Stores the nodes that compute the total with it at `with`; see `spherecap_record_sample` for who owns what, and for memory. An
+/// importance counts as `spherecap_total` says; one that is below 2^-126, as no recorded one is, may have lost its precision.
+///
+/// Errors: NULL_POINTER (of the recorder's functions, too), RECORDER; then zeros are stored, and no node is left.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_record_total(
+    recorder: *const spherecap_recorder_t,
+    importance: *const spherecap_term_t,
+    total: *const spherecap_recorded_total_t,
+    with: *mut spherecap_total_nodes_t,
+) -> u32 {
+    // SAFETY: the header's contract; an array is aligned as its elements.
+    let (recorder, importance, total) = unsafe { (complete(recorder), importance.as_ref(), total.as_ref()) };
+    let result = recorder.and_then(|recorder| {
+        let (Some(&importance), Some(total), false) = (importance, total, with.is_null()) else {
+            return Err(NULL_POINTER);
+        };
+        let tape = Tape::default();
+        let (sum, lit) = add(lane(&tape, importance), lane(&tape, total.sum), lane(&tape, total.lit));
+        let [sum, lit] = tape
+            .play(&recorder, [sum, lit].map(|lane| tape.want_number(lane)))
+            .ok_or(Status::SPHERECAP_STATUS_RECORDER as u32)?;
+        Ok(spherecap_total_nodes_t { sum, lit })
+    });
+    // SAFETY: the header's contract.
+    unsafe { store(with, result) }
+}
+
+/// Records the probability with which a light of this importance is chosen: what `spherecap_choice_probability` stores, in single
+/// precision. `even` is as there; outside [0, 1] the nearer end, and 0 for NaN.
+///
+/// Stores the node that computes it; see `spherecap_record_sample` for who owns what, and for memory.
+///
+/// Errors: as `spherecap_record_total`.
+#[no_mangle]
+pub unsafe extern "C" fn spherecap_record_choice_probability(
+    recorder: *const spherecap_recorder_t,
+    importance: *const spherecap_term_t,
+    total: *const spherecap_recorded_total_t,
+    even: *const spherecap_term_t,
+    probability: *mut u64,
+) -> u32 {
+    // SAFETY: the header's contract.
+    let (recorder, importance, total, even) =
+        unsafe { (complete(recorder), importance.as_ref(), total.as_ref(), even.as_ref()) };
+    let result = recorder.and_then(|recorder| {
+        let (Some(&importance), Some(total), Some(&even), false) =
+            (importance, total, even, probability.is_null())
+        else {
+            return Err(NULL_POINTER);
+        };
+        let tape = Tape::default();
+        let shares = Shares::new(lane(&tape, total.sum), lane(&tape, total.lit), lane(&tape, even));
+        let share = shares.of(lane(&tape, importance));
+        let [node] = tape
+            .play(&recorder, [tape.want_number(share)])
+            .ok_or(Status::SPHERECAP_STATUS_RECORDER as u32)?;
+        Ok(node)
+    });
+    // SAFETY: the header's contract.
+    unsafe { store(probability, result) }
 }

@@ -384,6 +384,18 @@ static void expect_no_record(const spherecap_recorder_t *recorder, const spherec
     EXPECT_NOTHING(expected, importance, spherecap_record_importance(recorder, input, u, &importance));
 }
 
+static void expect_no_choice(const spherecap_recorder_t *recorder, const spherecap_term_t *importance,
+                             const spherecap_recorded_total_t *total, const spherecap_term_t *even,
+                             uint32_t expected) {
+    uint64_t probability;
+    EXPECT_NOTHING(expected, probability,
+                   spherecap_record_choice_probability(recorder, importance, total, even, &probability));
+    spherecap_total_nodes_t with;
+    if (even != NULL) {
+        EXPECT_NOTHING(expected, with, spherecap_record_total(recorder, importance, total, &with));
+    }
+}
+
 static void recorders(void) {
     const uint32_t null = SPHERECAP_STATUS_NULL_POINTER;
     counter_t counter = {100, UINT64_MAX, 0};
@@ -399,13 +411,21 @@ static void recorders(void) {
     CHECK(spherecap_record_pdf_on_sphere(&recorder, &good, term, &density) == SPHERECAP_STATUS_OK);
     uint64_t importance;
     CHECK(spherecap_record_importance(&recorder, &good, term, &importance) == SPHERECAP_STATUS_OK);
-    CHECK(counter.alive == 14 && sample.density.solid_angle != 0 && density.solid_angle != 0);
-    CHECK(importance != 0);
+    const spherecap_recorded_total_t total = {{2, 0.0f}, {3, 0.0f}};
+    spherecap_total_nodes_t with;
+    CHECK(spherecap_record_total(&recorder, term, &total, &with) == SPHERECAP_STATUS_OK);
+    uint64_t probability;
+    CHECK(spherecap_record_choice_probability(&recorder, term, &total, term, &probability) ==
+          SPHERECAP_STATUS_OK);
+    CHECK(counter.alive == 17 && sample.density.solid_angle != 0 && density.solid_angle != 0);
+    CHECK(importance != 0 && with.sum != 0 && with.lit != 0 && probability != 0);
     counter.alive = 0;
 
     counter.enough = counter.made + 50;
     expect_no_record(&recorder, &good, term, term, SPHERECAP_STATUS_RECORDER);
     CHECK(counter.alive == 0 && counter.made == counter.enough);
+    expect_no_choice(&recorder, term, &total, term, SPHERECAP_STATUS_RECORDER);
+    CHECK(counter.alive == 0);
     counter.enough = UINT64_MAX;
 
     for (int i = 0; i < 5; ++i) {
@@ -416,7 +436,14 @@ static void recorders(void) {
         incomplete.begin_if = i == 3 ? NULL : incomplete.begin_if;
         incomplete.end_if = i == 4 ? NULL : incomplete.end_if;
         expect_no_record(&incomplete, &good, term, term, null);
+        expect_no_choice(&incomplete, term, &total, term, null);
     }
+    expect_no_choice(NULL, term, &total, term, null);
+    expect_no_choice(&recorder, NULL, &total, term, null);
+    expect_no_choice(&recorder, term, NULL, term, null);
+    expect_no_choice(&recorder, term, &total, NULL, null);
+    CHECK(spherecap_record_total(&recorder, term, &total, NULL) == null);
+    CHECK(spherecap_record_choice_probability(&recorder, term, &total, term, NULL) == null);
     expect_no_record(NULL, &good, term, term, null);
     expect_no_record(&recorder, NULL, term, term, null);
     expect_no_record(&recorder, &good, NULL, NULL, null);

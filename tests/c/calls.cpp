@@ -218,7 +218,13 @@ void call_the_recorder() {
     CHECK(spherecap_record_pdf_on_sphere(&recorder, &inputs, terms.data(), &density) == SPHERECAP_STATUS_OK);
     uint64_t importance;
     CHECK(spherecap_record_importance(&recorder, &inputs, terms.data(), &importance) == SPHERECAP_STATUS_OK);
-    CHECK(std::count(alive.begin(), alive.end(), true) == 1 + 11 + 2 + 1);
+    const spherecap_recorded_total_t total{input, one};
+    spherecap_total_nodes_t with;
+    CHECK(spherecap_record_total(&recorder, terms.data(), &total, &with) == SPHERECAP_STATUS_OK);
+    uint64_t probability;
+    CHECK(spherecap_record_choice_probability(&recorder, terms.data(), &total, &zero, &probability) ==
+          SPHERECAP_STATUS_OK);
+    CHECK(std::count(alive.begin(), alive.end(), true) == 1 + 11 + 2 + 1 + 2 + 1);
 }
 
 } // namespace

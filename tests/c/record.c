@@ -325,6 +325,53 @@ static void check_importance(most_t *most, const spherecap_recorder_t *recorder,
     add_to(most);
 }
 
+static void expect_close(uint64_t node, float expected) {
+    const float found = value_of(&graph, node);
+    // Five roundings, and what underflows.
+    CHECK(fabsf(found - expected) <= 4e-7f * expected + 1e-36f);
+    release(&graph, node);
+}
+
+// The importances of two lights: any numbers, but none too small for single precision.
+static void check_choice(const spherecap_recorder_t *recorder, const float *in, int with_nodes) {
+    float importances[2];
+    for (int i = 0; i < 2; ++i) {
+        const float any = in[i == 0 ? 6 : 10];
+        importances[i] = any > 0.0f && any < 0x1p-126f ? 0.0f : any;
+    }
+    const float even = in[2] > 1.0f ? 1.0f : in[2] > 0.0f ? in[2] : 0.0f;
+    spherecap_total_t expected;
+    CHECK(spherecap_total(importances, 2, &expected) == SPHERECAP_STATUS_OK);
+    start();
+    graph_t *inputs = with_nodes ? &graph : NULL;
+    const spherecap_term_t terms[2] = {term(inputs, importances[0]), term(inputs, importances[1])};
+    const unsigned before = graph.alive;
+    spherecap_recorded_total_t total = {{0, 0.0f}, {0, 0.0f}};
+    spherecap_total_nodes_t nodes[2];
+    for (int i = 0; i < 2; ++i) {
+        CHECK(spherecap_record_total(recorder, &terms[i], &total, &nodes[i]) == SPHERECAP_STATUS_OK);
+        total.sum.node = nodes[i].sum;
+        total.lit.node = nodes[i].lit;
+    }
+    CHECK(value_of(&graph, total.lit.node) == (float)expected.lit);
+    // A constant, as renderers have it; one that is out of range is taken for the nearer end.
+    const spherecap_term_t any = {0, in[2]};
+    for (int i = 0; i < 2; ++i) {
+        float probability;
+        CHECK(spherecap_choice_probability(importances[i], &expected, even, &probability) ==
+              SPHERECAP_STATUS_OK);
+        uint64_t node;
+        CHECK(spherecap_record_choice_probability(recorder, &terms[i], &total, &any, &node) ==
+              SPHERECAP_STATUS_OK);
+        expect_close(node, probability);
+    }
+    expect_close(nodes[1].sum, expected.sum);
+    release(&graph, nodes[1].lit);
+    release(&graph, nodes[0].sum);
+    release(&graph, nodes[0].lit);
+    CHECK(graph.alive == before);
+}
+
 // A recorder that fails at its n-th node: everything comes back, whatever n.
 static void check_failures(const spherecap_recorder_t *recorder, const uint32_t *words, const float *in) {
     for (unsigned n = 9;; n += 7) {
@@ -372,6 +419,7 @@ int main(void) {
             for (int with_nodes = 0; with_nodes < 2; ++with_nodes) {
                 check_sample(&of_samples, recorder, words, in, with_nodes, &sample, is_sampled);
                 check_importance(&of_importances, recorder, words, in, with_nodes);
+                check_choice(recorder, in, with_nodes);
                 for (int j = 0; j < 3; ++j) {
                     const uint32_t expected = spherecap_pdf_on_sphere(&sampler, directions[j], &density);
                     CHECK(status != SPHERECAP_STATUS_OK || (expected == SPHERECAP_STATUS_OK) == (j < 2));

@@ -488,6 +488,18 @@ def test_a_line_of_a_spectrum(name):
     assert np.mean(index == 0) == pytest.approx(0.025, abs=0.012)
 
 
+def test_lights_too_bright_to_be_added_up(variant):
+    """Densities are those of dim lights, where the sum of what all give is beyond single precision."""
+    densities = []
+    for radiance in (1.0, 3e38):
+        around = [sphere([x, y, 1], 1.2, [radiance] * 3) for x in (-1, 1) for y in (-1, 1)]
+        loaded = mi.load_dict({"type": "scene", **{f"l{i}": light for i, light in enumerate(around)}})
+        u = np.random.default_rng(5).random((200, 2))
+        densities.append(sampled(loaded, point(), u)[1])
+    assert (densities[0] > 0).all()
+    np.testing.assert_allclose(densities[1], densities[0], rtol=1e-4)
+
+
 def test_scenes_that_are_freed(variant):
     """A light outlives its scene, and the others of its group."""
     survivor = mi.load_dict(sphere(*LIGHTS[0]))
