@@ -205,8 +205,8 @@ report: build out/bench.json out/instructions.json out/maps.json ## Speed agains
 	PYTHONPATH=tools:mitsuba_plugin $(BIN)/python -m report
 
 # Everything anew, whatever is there.
-speed: build ## Measure for docs/speed.md and the README, on an idle machine, and write both: some twelve minutes.
-	@echo "Times, instructions and maps of errors: some seven minutes."
+speed: build ## Measure for docs/speed.md and the README, on an idle machine, and write both: some eight minutes.
+	@echo "Times, instructions and maps of errors: some six minutes."
 	cargo bench --locked --bench cost
 	cargo bench --locked --bench instructions
 	cargo bench --locked --bench maps
