@@ -512,6 +512,21 @@ def test_all_sensors(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     assert all(page.name in {one.name for one in page.parent.iterdir()} for page in pages)
 
 
+def test_stopping_stops_all_sensors(
+    tmp_path: Path, capsys: pytest.CaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What the first has is kept, and the second is not begun."""
+
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Comparison, "repeat", interrupted)
+    text = room(lamp(0, 0.1), more=OTHER_SENSOR)
+    printed = compared(tmp_path, text, capsys, "--sensor", "all", "--minutes", "0.1")
+    assert printed.count("page: ") == 1
+    assert [one.name for one in (tmp_path / "out").iterdir()] == ["1-above"]
+
+
 BELOW = SPHERE.replace('z="4"', 'z="-9"')
 # A blackbody has no scale.
 MISTAKEN = SPHERE.replace(
