@@ -473,7 +473,8 @@ struct spherecap_front_light {
     float width;
     float cut;
     float rise;
-    float defensive_share;
+    float share;
+    float rest;
     float requested;
     float inv_above;
     float3 third_axis;
@@ -660,7 +661,7 @@ static __device__ inline spherecap_front_light spherecap_front_prepare(float3 no
     const float inv_above = 0.0f < projected_above ? 1.0f / projected_above : 0.0f;
     const bool t102 = 0.0f < inv_above;
     const float t103 = t97 ? inv_above : 0.0f;
-    const float defensive_share = t102 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
+    const float share = t102 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
     const bool t104 = t101 && t97 && 0.0f < t103;
     const float t105 = t_y * t_y * t_y * shape * t103;
     const float t106 = t_y / radius_sin;
@@ -701,7 +702,7 @@ static __device__ inline spherecap_front_light spherecap_front_prepare(float3 no
         b_5 = t132 - t131;
         b_6 = -t132;
     }
-    const bool t133 = 0.0f < defensive_share;
+    const bool t133 = 0.0f < share;
     const float t134 = (0.0f < radius_cos && t99) ? t96 / (1.0f + radius_cos) : 0.0f;
     const float inv_solid_angle = t133 ? (0.0f < t134 ? 0.15915494f / t134 : 0.0f) : 0.0f;
     const bool t135 = 0.0f < inv_solid_angle && t133;
@@ -710,8 +711,8 @@ static __device__ inline spherecap_front_light spherecap_front_prepare(float3 no
         t136, t136 ? t134 * 6.2831855f : 0.0f, t136 ? projected_above : 0.0f,
         make_float3(t13 * t94, t14 * t94, t15 * t94), make_float3(sideways_x, sideways_y, sideways_z),
         make_float3(normal_x, normal_y, normal_z), make_float3(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
-        defensive, inv_above,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share,
+        1.0f - share, defensive, inv_above,
         make_float3(fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))),
         t133 ? t134 : 0.0f, inv_solid_angle, t104 ? t105 : 0.0f, t104 ? 1.0f / (1.0f - t105) : 1.0f, beyond,
         elevation_cos * radius_cos, radius_sin * t95, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
@@ -724,120 +725,119 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
         return spherecap_no_sample();
     }
     const float t1 = fabsf(light.elevation_sin);
-    const bool t2 = 0.0f < light.defensive_share;
+    const bool t2 = 0.0f < light.share;
     const float t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8f), 0.99999994f);
     const float t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t5 = t3 < light.defensive_share && t2;
-    const float t6 = 1.0f - light.defensive_share;
-    const float t7 = (t5 ? t3 : t3 - light.defensive_share) / (t5 ? light.defensive_share : t6);
-    const float t8 = 0.0f < light.requested ? spherecap_min(spherecap_max(t7, 5.9604645e-8f), 0.99999994f) : t3;
-    const bool t9 = !(0.0f < light.tau) || t5;
-    const bool t10 = !(0.0f < light.elevation_sin) && !t9;
-    const bool t11 = light.crescent_share <= t8 && !t10;
-    const bool t12 = t9 || t11;
-    const float t13 = 1.0f - t4;
-    const float t14 = t4 - t13;
-    const float t15 = 4.0f * t4 * t13;
-    const float t16 = spherecap_max((t8 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-    const float t17 = t9 ? t8 : spherecap_min(t16, 0.99999994f);
-    const float t18 = t9 ? 0.0f : light.beyond;
-    const float t19 = 3.1415927f - t18;
-    const float t20 = fmaf(t17, t19, t18);
-    const float t21 = (1.0f - t17) * t19;
-    float t23, t24, t25;
-    float t22 = 0.0f;
-    if (t12) {
-        t23 = spherecap_min(t20, t21) * 0.53033006f;
+    const bool t5 = t3 < light.share && t2;
+    const float t6 = spherecap_max((t5 ? t3 : t3 - light.share) / (t5 ? light.share : light.rest), 5.9604645e-8f);
+    const float t7 = 0.0f < light.requested ? spherecap_min(t6, 0.99999994f) : t3;
+    const bool t8 = !(0.0f < light.tau) || t5;
+    const bool t9 = !(0.0f < light.elevation_sin) && !t8;
+    const bool t10 = light.crescent_share <= t7 && !t9;
+    const bool t11 = t8 || t10;
+    const float t12 = 1.0f - t4;
+    const float t13 = t4 - t12;
+    const float t14 = 4.0f * t4 * t12;
+    const float t15 = spherecap_max((t7 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t16 = t8 ? t7 : spherecap_min(t15, 0.99999994f);
+    const float t17 = t8 ? 0.0f : light.beyond;
+    const float t18 = 3.1415927f - t17;
+    const float t19 = fmaf(t16, t18, t17);
+    const float t20 = (1.0f - t16) * t18;
+    float t22, t23, t24;
+    float t21 = 0.0f;
+    if (t11) {
+        t22 = spherecap_min(t19, t20) * 0.53033006f;
+        t23 = 1.0f;
         t24 = 1.0f;
-        t25 = 1.0f;
     } else {
-        const float t26 = sqrtf(t15);
-        const float t27 = fmaf(fmaf(fmaf(light.b_6, t15, light.b_4), t15, light.b_2), t15, light.b_0);
-        const float t28 = t26 * fmaf(fmaf(fmaf(light.b_5, t15, light.b_3), t15, light.b_1), t26, t27);
-        const float t29 = sqrtf(fmaf(t14, t14, t28 * t28));
-        const float t30 = light.tau * t28;
-        t25 = t10 ? fmaf(t14, t14, t30 * t30) : 1.0f;
-        const float t31 = t10 ? fmaf(light.kappa, t28, t29) * fmaf(light.cut, t28, t29) : light.crescent_share;
-        const float t32 = (t10 ? light.width : t8) / t31;
-        const float t33 = t10 ? t32 : light.width;
-        const float t34 = t25 * t33;
-        const float t35 = t34 * t34;
-        const float t36 = fmaf(fmaf(fmaf(-0.00060778117f, t35, -0.0027203285f), t35, -0.10000902f), t34, fmaf(fmaf(1.0676054e-5f, t35, -0.011332183f), t35, 1.0000001f));
-        t22 = t10 ? t30 : t26;
-        t23 = t10 ? t8 : spherecap_min(spherecap_max(t32, 5.9604645e-8f), 0.99999994f);
-        t24 = t33 * t36;
+        const float t25 = sqrtf(t14);
+        const float t26 = fmaf(fmaf(fmaf(light.b_6, t14, light.b_4), t14, light.b_2), t14, light.b_0);
+        const float t27 = t25 * fmaf(fmaf(fmaf(light.b_5, t14, light.b_3), t14, light.b_1), t25, t26);
+        const float t28 = sqrtf(fmaf(t13, t13, t27 * t27));
+        const float t29 = light.tau * t27;
+        t24 = t9 ? fmaf(t13, t13, t29 * t29) : 1.0f;
+        const float t30 = t9 ? fmaf(light.kappa, t27, t28) * fmaf(light.cut, t27, t28) : light.crescent_share;
+        const float t31 = (t9 ? light.width : t7) / t30;
+        const float t32 = t9 ? t31 : light.width;
+        const float t33 = t24 * t32;
+        const float t34 = t33 * t33;
+        const float t35 = fmaf(fmaf(fmaf(-0.00060778117f, t34, -0.0027203285f), t34, -0.10000902f), t33, fmaf(fmaf(1.0676054e-5f, t34, -0.011332183f), t34, 1.0000001f));
+        t21 = t9 ? t29 : t25;
+        t22 = t9 ? t7 : spherecap_min(spherecap_max(t31, 5.9604645e-8f), 0.99999994f);
+        t23 = t32 * t35;
     }
-    const float t37 = spherecap_float_of_bits(fmaf(spherecap_bits(t23), -0.33333334f, 1419900500.0f));
-    const float t38 = fmaf(-(t23 * t37), t37 * t37, 1.0f);
-    const float t39 = t38 * t38;
-    const float t40 = fmaf(fmaf(fmaf(0.110958695f, t39, 0.14403293f), t39, 0.22222222f), t38, fmaf(fmaf(0.12482853f, t39, 0.17283951f), t39, 0.33333334f));
-    const float t41 = t24 * (t23 * fmaf(t37, t38 * t40, t37));
-    const float t42 = t41 * t25;
-    const float t43 = t42 * t42;
-    const float t44 = fmaf(fmaf(fmaf(-0.063446075f, t43, -0.056249518f), t43, 0.0074712755f), t43, 0.09996679f);
-    const float t45 = fmaf(fmaf(fmaf(0.022114987f, t43, 0.085662976f), t43, 0.030445365f), t43, 0.03209764f);
-    const float t46 = t41 * fmaf(t44, t42, fmaf(t45, t43, 1.0000004f));
-    const float t47 = t12 ? spherecap_min(t46, 1.0f) : t46;
-    const float t48 = t25 * t47;
-    const float t49 = 2.0f - t48;
-    const float t50 = t47 * t49;
-    const float t51 = sqrtf(t50);
-    float zenith, side, cosine, t52, t53;
-    if (t12) {
-        const float t54 = t20 - t21 < 0.0f ? t48 : t49;
-        const float t55 = t50 * t15;
+    const float t36 = spherecap_float_of_bits(fmaf(spherecap_bits(t22), -0.33333334f, 1419900500.0f));
+    const float t37 = fmaf(-(t22 * t36), t36 * t36, 1.0f);
+    const float t38 = t37 * t37;
+    const float t39 = fmaf(fmaf(fmaf(0.110958695f, t38, 0.14403293f), t38, 0.22222222f), t37, fmaf(fmaf(0.12482853f, t38, 0.17283951f), t38, 0.33333334f));
+    const float t40 = t23 * (t22 * fmaf(t36, t37 * t39, t36));
+    const float t41 = t40 * t24;
+    const float t42 = t41 * t41;
+    const float t43 = fmaf(fmaf(fmaf(-0.063446075f, t42, -0.056249518f), t42, 0.0074712755f), t42, 0.09996679f);
+    const float t44 = fmaf(fmaf(fmaf(0.022114987f, t42, 0.085662976f), t42, 0.030445365f), t42, 0.03209764f);
+    const float t45 = t40 * fmaf(t43, t41, fmaf(t44, t42, 1.0000004f));
+    const float t46 = t11 ? spherecap_min(t45, 1.0f) : t45;
+    const float t47 = t24 * t46;
+    const float t48 = 2.0f - t47;
+    const float t49 = t46 * t48;
+    const float t50 = sqrtf(t49);
+    float zenith, side, cosine, t51, t52;
+    if (t11) {
+        const float t53 = t19 - t20 < 0.0f ? t47 : t48;
+        const float t54 = t49 * t14;
         if (t5) {
-            const float t56 = light.height * (1.0f - t55);
-            const float t57 = sqrtf(light.height * (2.0f - t56));
-            zenith = (t54 - 1.0f) * t57;
-            const float t58 = 1.0f - t56;
-            t53 = fmaf(light.elevation_sin, t58, light.elevation_cos * zenith);
-            t52 = fmaf(light.elevation_cos, t58, -(light.elevation_sin * zenith));
-            side = t51 * t14 * t57;
-            cosine = t53 * light.on_surface;
+            const float t55 = light.height * (1.0f - t54);
+            const float t56 = sqrtf(light.height * (2.0f - t55));
+            zenith = (t53 - 1.0f) * t56;
+            const float t57 = 1.0f - t55;
+            t52 = fmaf(light.elevation_sin, t57, light.elevation_cos * zenith);
+            t51 = fmaf(light.elevation_cos, t57, -(light.elevation_sin * zenith));
+            side = t50 * t13 * t56;
+            cosine = t52 * light.on_surface;
         } else {
-            const float t59 = 1.0f - t54;
-            const float t60 = spherecap_max(fmaf(light.climb, t54, -light.rise), 0.0f);
-            t53 = sqrtf(fmaf(t60, t60, light.radius_sin * light.radius_sin * t55));
-            const float t61 = t1 * light.radius_cos;
-            const float t62 = fmaf(light.elevation_cos * t59, fmaf(light.climb, t59, -2.0f * t61), light.radius_sin * t55);
-            zenith = light.radius_sin * fmaf(light.elevation_cos, t62 / (t53 + t61), -(t1 * t1 * t59));
-            t52 = fmaf(light.half_axis, t59, light.middle);
-            side = light.radius_sin * t51 * t14;
-            cosine = t53;
+            const float t58 = 1.0f - t53;
+            const float t59 = spherecap_max(fmaf(light.climb, t53, -light.rise), 0.0f);
+            t52 = sqrtf(fmaf(t59, t59, light.radius_sin * light.radius_sin * t54));
+            const float t60 = t1 * light.radius_cos;
+            const float t61 = fmaf(light.elevation_cos * t58, fmaf(light.climb, t58, -2.0f * t60), light.radius_sin * t54);
+            zenith = light.radius_sin * fmaf(light.elevation_cos, t61 / (t52 + t60), -(t1 * t1 * t58));
+            t51 = fmaf(light.half_axis, t58, light.middle);
+            side = light.radius_sin * t50 * t13;
+            cosine = t52;
         }
     } else {
-        cosine = t51 * t22;
-        t52 = 1.0f - t48;
-        zenith = fmaf(light.elevation_cos, cosine, -((t10 ? -t1 : t1) * t52));
-        side = t51 * t14;
-        t53 = cosine;
+        cosine = t50 * t21;
+        t51 = 1.0f - t47;
+        zenith = fmaf(light.elevation_cos, cosine, -((t9 ? -t1 : t1) * t51));
+        side = t50 * t13;
+        t52 = cosine;
     }
-    const float t63 = spherecap_min(fabsf(cosine), 3.4028235e38f);
-    const float t64 = 0.0f < cosine ? light.inv_above : 0.0f;
-    const float t65 = light.defensive_share * light.inv_solid_angle;
-    const float t66 = fmaf(t64, t6, spherecap_min(t65 / spherecap_max(t63, 1.1754944e-38f), 3.4028235e38f));
-    const float t67 = fmaf(zenith, zenith, side * side);
-    const float t68 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t67), 0.0f);
-    const float t69 = sqrtf(t68);
-    const float t70 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t68));
-    const float t71 = light.radius_cos * light.radius_cos / (t70 + t69);
-    const float t72 = 1.0f / light.radius_sin;
-    const float t73 = t71 * t72;
-    const float t74 = -fmaf(t70, t69, t67) * t72;
-    const float t75 = t73 * zenith;
-    const float t76 = t73 * side;
-    const float t77 = fmaf(light.third_axis.x, t52, fmaf(light.sideways.x, side, light.up.x * t53));
-    const float t78 = fmaf(light.third_axis.y, t52, fmaf(light.sideways.y, side, light.up.y * t53));
-    const float t79 = fmaf(light.third_axis.z, t52, fmaf(light.sideways.z, side, light.up.z * t53));
-    const float t80 = fmaf(light.elevation_cos, t74, -(light.elevation_sin * t75));
-    const float t81 = fmaf(light.elevation_sin, t74, light.elevation_cos * t75);
-    const float t82 = fmaf(light.third_axis.x, t80, fmaf(light.sideways.x, t76, light.up.x * t81));
-    const float t83 = fmaf(light.third_axis.y, t80, fmaf(light.sideways.y, t76, light.up.y * t81));
-    const float t84 = fmaf(light.third_axis.z, t80, fmaf(light.sideways.z, t76, light.up.z * t81));
+    const float t62 = spherecap_min(fabsf(cosine), 3.4028235e38f);
+    const float t63 = 0.0f < cosine ? light.inv_above : 0.0f;
+    const float t64 = light.share * light.inv_solid_angle;
+    const float t65 = fmaf(t63, light.rest, spherecap_min(t64 / spherecap_max(t62, 1.1754944e-38f), 3.4028235e38f));
+    const float t66 = fmaf(zenith, zenith, side * side);
+    const float t67 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t66), 0.0f);
+    const float t68 = sqrtf(t67);
+    const float t69 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t67));
+    const float t70 = light.radius_cos * light.radius_cos / (t69 + t68);
+    const float t71 = 1.0f / light.radius_sin;
+    const float t72 = t70 * t71;
+    const float t73 = -fmaf(t69, t68, t66) * t71;
+    const float t74 = t72 * zenith;
+    const float t75 = t72 * side;
+    const float t76 = fmaf(light.third_axis.x, t51, fmaf(light.sideways.x, side, light.up.x * t52));
+    const float t77 = fmaf(light.third_axis.y, t51, fmaf(light.sideways.y, side, light.up.y * t52));
+    const float t78 = fmaf(light.third_axis.z, t51, fmaf(light.sideways.z, side, light.up.z * t52));
+    const float t79 = fmaf(light.elevation_cos, t73, -(light.elevation_sin * t74));
+    const float t80 = fmaf(light.elevation_sin, t73, light.elevation_cos * t74);
+    const float t81 = fmaf(light.third_axis.x, t79, fmaf(light.sideways.x, t75, light.up.x * t80));
+    const float t82 = fmaf(light.third_axis.y, t79, fmaf(light.sideways.y, t75, light.up.y * t80));
+    const float t83 = fmaf(light.third_axis.z, t79, fmaf(light.sideways.z, t75, light.up.z * t80));
     const spherecap_sample result = {
-        make_float3(t77, t78, t79), t71 * light.distance, make_float3(t82, t83, t84), cosine,
-        t2 ? fmaf(t64, t6 * t63, t65) : t64 * t63, t2 ? spherecap_min(t66, 3.4028235e38f) : t64
+        make_float3(t76, t77, t78), t70 * light.distance, make_float3(t81, t82, t83), cosine,
+        t2 ? fmaf(t63, light.rest * t62, t64) : t63 * t62, t2 ? spherecap_min(t65, 3.4028235e38f) : t63
     };
     return result;
 }
@@ -862,11 +862,10 @@ static __device__ inline float spherecap_front_pdf_direction(spherecap_front_lig
     const float t9 = t7 ? 1.0f : t5;
     const float t10 = spherecap_min(fabsf(t6), 3.4028235e38f);
     const float t11 = 0.0f < t6 ? light.inv_above : 0.0f;
-    const float t12 = fmaf(t11, (1.0f - light.defensive_share) * t10, light.defensive_share * light.inv_solid_angle);
+    const float t12 = 0.0f < light.share ? fmaf(t11, light.rest * t10, light.share * light.inv_solid_angle) : t11 * t10;
     const bool t13 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
     const float t14 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light.defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
-    return t15;
+    return (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? t12 : 0.0f) : 0.0f;
 }
 
 static __device__ inline float spherecap_front_pdf_on_sphere(spherecap_front_light light, float3 direction) {
@@ -876,10 +875,9 @@ static __device__ inline float spherecap_front_pdf_on_sphere(spherecap_front_lig
     const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = spherecap_min(fabsf(t1), 3.4028235e38f);
     const float t3 = 0.0f < t1 ? light.inv_above : 0.0f;
-    const float t4 = fmaf(t3, (1.0f - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
+    const float t4 = 0.0f < light.share ? fmaf(t3, light.rest * t2, light.share * light.inv_solid_angle) : t3 * t2;
     const float t5 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light.defensive_share ? t4 : t3 * t2) : 0.0f;
-    return t6;
+    return (0.998001f <= t5 && t5 <= 1.002001f) ? t4 : 0.0f;
 }
 
 static __device__ inline float spherecap_front_importance(float3 normal, float3 centre, float radius, float defensive, float strength) {
@@ -946,10 +944,12 @@ struct spherecap_both_light {
     float cut;
     float rise;
     float defensive_share;
+    float defensive_rest;
     float requested;
     float inv_above;
     float inv_below;
     float sides_share;
+    float sides_rest;
     float3 third_axis;
     float height;
     float inv_solid_angle;
@@ -1203,15 +1203,18 @@ static __device__ inline spherecap_both_light spherecap_both_prepare(float3 norm
     const bool t156 = 0.0f < defensive_share;
     const float t157 = (0.0f < radius_cos && t101) ? t96 / (1.0f + radius_cos) : 0.0f;
     const float inv_solid_angle = t156 ? (0.0f < t157 ? 0.15915494f / t157 : 0.0f) : 0.0f;
-    const float sides_share = 0.0f < inv_below ? (0.0f < inv_above ? (t98 ? 1.0f - t111 : t111) : 0.0f) : 1.0f;
-    const bool t158 = 0.0f < inv_solid_angle && t156;
-    const bool t159 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t105 || t158);
+    const float t158 = 1.0f - t111;
+    const bool t159 = 0.0f < inv_below;
+    const bool t160 = 0.0f < inv_above;
+    const bool t161 = 0.0f < inv_solid_angle && t156;
+    const bool t162 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t105 || t161);
     const spherecap_both_light result = {
-        t159, t159 ? t157 * 6.2831855f : 0.0f, t159 ? projected_above : 0.0f,
+        t162, t162 ? t157 * 6.2831855f : 0.0f, t162 ? projected_above : 0.0f,
         make_float3(t13 * t94, t14 * t94, t15 * t94), make_float3(sideways_x, sideways_y, sideways_z),
         make_float3(normal_x, normal_y, normal_z), make_float3(up_x, up_y, up_z), on_surface, distance,
         radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
-        defensive, inv_above, inv_below, sides_share,
+        1.0f - defensive_share, defensive, inv_above, inv_below,
+        t159 ? (t160 ? (t98 ? t158 : t111) : 0.0f) : 1.0f, t160 ? (t159 ? (t98 ? t111 : t158) : 0.0f) : 1.0f,
         make_float3(fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))),
         t156 ? t157 : 0.0f, inv_solid_angle, t107 ? t108 : 0.0f, t107 ? 1.0f / (1.0f - t108) : 1.0f,
         t107 ? t109 * t109 * t109 * t110 : 0.0f, elevation_cos * radius_cos, radius_sin * t95, climb, b_0,
@@ -1230,126 +1233,125 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
     const float t4 = spherecap_min(spherecap_max(u0, 5.9604645e-8f), 0.99999994f);
     const float t5 = spherecap_min(spherecap_max(u1, 5.9604645e-8f), 0.99999994f);
     const bool t6 = t4 < light.defensive_share && t3;
-    const float t7 = 1.0f - light.defensive_share;
-    const float t8 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : t7);
-    const float t9 = 0.0f < light.requested ? spherecap_min(spherecap_max(t8, 5.9604645e-8f), 0.99999994f) : t4;
-    const bool t10 = t9 < light.sides_share || t6;
-    const float t11 = 1.0f - light.sides_share;
-    const float t12 = spherecap_max((t10 ? t9 : t9 - light.sides_share) / (t10 ? light.sides_share : t11), 5.9604645e-8f);
-    const bool t13 = t10 && t2;
-    const bool t14 = !t10 && !t2;
-    const float t15 = t6 ? t9 : spherecap_min(t12, 0.99999994f);
-    const bool t16 = !(0.0f < light.tau) || t6;
-    const bool t17 = !(t13 || t14) && !t16;
-    const bool t18 = light.crescent_share <= t15 && !t17;
-    const bool t19 = t16 || t18;
-    const float t20 = 1.0f - t5;
-    const float t21 = t5 - t20;
-    const float t22 = 4.0f * t5 * t20;
-    const float t23 = spherecap_max((t15 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-    const float t24 = t16 ? t15 : spherecap_min(t23, 0.99999994f);
-    const float t25 = t16 ? 0.0f : light.beyond;
-    const float t26 = 3.1415927f - t25;
-    const float t27 = fmaf(t24, t26, t25);
-    const float t28 = (1.0f - t24) * t26;
-    float t30, t31, t32;
-    float t29 = 0.0f;
-    if (t19) {
-        t30 = spherecap_min(t27, t28) * 0.53033006f;
-        t31 = 1.0f;
-        t32 = 1.0f;
+    const float t7 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : light.defensive_rest);
+    const float t8 = 0.0f < light.requested ? spherecap_min(spherecap_max(t7, 5.9604645e-8f), 0.99999994f) : t4;
+    const bool t9 = t8 < light.sides_share || t6;
+    const float t10 = (t9 ? t8 : t8 - light.sides_share) / (t9 ? light.sides_share : light.sides_rest);
+    const bool t11 = t9 && t2;
+    const bool t12 = !t9 && !t2;
+    const float t13 = t6 ? t8 : spherecap_min(spherecap_max(t10, 5.9604645e-8f), 0.99999994f);
+    const bool t14 = !(0.0f < light.tau) || t6;
+    const bool t15 = !(t11 || t12) && !t14;
+    const bool t16 = light.crescent_share <= t13 && !t15;
+    const bool t17 = t14 || t16;
+    const float t18 = 1.0f - t5;
+    const float t19 = t5 - t18;
+    const float t20 = 4.0f * t5 * t18;
+    const float t21 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t22 = t14 ? t13 : spherecap_min(t21, 0.99999994f);
+    const float t23 = t14 ? 0.0f : light.beyond;
+    const float t24 = 3.1415927f - t23;
+    const float t25 = fmaf(t22, t24, t23);
+    const float t26 = (1.0f - t22) * t24;
+    float t28, t29, t30;
+    float t27 = 0.0f;
+    if (t17) {
+        t28 = spherecap_min(t25, t26) * 0.53033006f;
+        t29 = 1.0f;
+        t30 = 1.0f;
     } else {
-        const float t33 = sqrtf(t22);
-        const float t34 = fmaf(fmaf(fmaf(light.b_6, t22, light.b_4), t22, light.b_2), t22, light.b_0);
-        const float t35 = t33 * fmaf(fmaf(fmaf(light.b_5, t22, light.b_3), t22, light.b_1), t33, t34);
-        const float t36 = sqrtf(fmaf(t21, t21, t35 * t35));
-        const float t37 = light.tau * t35;
-        t32 = t17 ? fmaf(t21, t21, t37 * t37) : 1.0f;
-        const float t38 = t17 ? fmaf(light.kappa, t35, t36) * fmaf(light.cut, t35, t36) : light.crescent_share;
-        const float t39 = (t17 ? light.width : t15) / t38;
-        t30 = t17 ? t15 : spherecap_min(spherecap_max(t39, 5.9604645e-8f), 0.99999994f);
-        const float t40 = t17 ? t39 : light.width;
-        const float t41 = t32 * t40;
-        const float t42 = t41 * t41;
-        const float t43 = fmaf(fmaf(fmaf(-0.00060778117f, t42, -0.0027203285f), t42, -0.10000902f), t41, fmaf(fmaf(1.0676054e-5f, t42, -0.011332183f), t42, 1.0000001f));
-        t29 = t17 ? t37 : t33;
-        t31 = t40 * t43;
+        const float t31 = sqrtf(t20);
+        const float t32 = fmaf(fmaf(fmaf(light.b_6, t20, light.b_4), t20, light.b_2), t20, light.b_0);
+        const float t33 = t31 * fmaf(fmaf(fmaf(light.b_5, t20, light.b_3), t20, light.b_1), t31, t32);
+        const float t34 = sqrtf(fmaf(t19, t19, t33 * t33));
+        const float t35 = light.tau * t33;
+        t30 = t15 ? fmaf(t19, t19, t35 * t35) : 1.0f;
+        const float t36 = t15 ? fmaf(light.kappa, t33, t34) * fmaf(light.cut, t33, t34) : light.crescent_share;
+        const float t37 = (t15 ? light.width : t13) / t36;
+        t28 = t15 ? t13 : spherecap_min(spherecap_max(t37, 5.9604645e-8f), 0.99999994f);
+        const float t38 = t15 ? t37 : light.width;
+        const float t39 = t30 * t38;
+        const float t40 = t39 * t39;
+        const float t41 = fmaf(fmaf(fmaf(-0.00060778117f, t40, -0.0027203285f), t40, -0.10000902f), t39, fmaf(fmaf(1.0676054e-5f, t40, -0.011332183f), t40, 1.0000001f));
+        t27 = t15 ? t35 : t31;
+        t29 = t38 * t41;
     }
-    const float t44 = spherecap_float_of_bits(fmaf(spherecap_bits(t30), -0.33333334f, 1419900500.0f));
-    const float t45 = fmaf(-(t30 * t44), t44 * t44, 1.0f);
-    const float t46 = t45 * t45;
-    const float t47 = fmaf(fmaf(fmaf(0.110958695f, t46, 0.14403293f), t46, 0.22222222f), t45, fmaf(fmaf(0.12482853f, t46, 0.17283951f), t46, 0.33333334f));
-    const float t48 = t31 * (t30 * fmaf(t44, t45 * t47, t44));
-    const float t49 = t48 * t32;
-    const float t50 = t49 * t49;
-    const float t51 = fmaf(fmaf(fmaf(-0.063446075f, t50, -0.056249518f), t50, 0.0074712755f), t50, 0.09996679f);
-    const float t52 = fmaf(fmaf(fmaf(0.022114987f, t50, 0.085662976f), t50, 0.030445365f), t50, 0.03209764f);
-    const float t53 = t48 * fmaf(t51, t49, fmaf(t52, t50, 1.0000004f));
-    const float t54 = t19 ? spherecap_min(t53, 1.0f) : t53;
-    const float t55 = t32 * t54;
-    const float t56 = 2.0f - t55;
-    const float t57 = t54 * t56;
-    const float t58 = sqrtf(t57);
-    float side, t59, t60, t61, t62;
-    if (t19) {
-        const float t63 = t27 - t28 < 0.0f ? t55 : t56;
-        const float t64 = t57 * t22;
+    const float t42 = spherecap_float_of_bits(fmaf(spherecap_bits(t28), -0.33333334f, 1419900500.0f));
+    const float t43 = fmaf(-(t28 * t42), t42 * t42, 1.0f);
+    const float t44 = t43 * t43;
+    const float t45 = fmaf(fmaf(fmaf(0.110958695f, t44, 0.14403293f), t44, 0.22222222f), t43, fmaf(fmaf(0.12482853f, t44, 0.17283951f), t44, 0.33333334f));
+    const float t46 = t29 * (t28 * fmaf(t42, t43 * t45, t42));
+    const float t47 = t46 * t30;
+    const float t48 = t47 * t47;
+    const float t49 = fmaf(fmaf(fmaf(-0.063446075f, t48, -0.056249518f), t48, 0.0074712755f), t48, 0.09996679f);
+    const float t50 = fmaf(fmaf(fmaf(0.022114987f, t48, 0.085662976f), t48, 0.030445365f), t48, 0.03209764f);
+    const float t51 = t46 * fmaf(t49, t47, fmaf(t50, t48, 1.0000004f));
+    const float t52 = t17 ? spherecap_min(t51, 1.0f) : t51;
+    const float t53 = t30 * t52;
+    const float t54 = 2.0f - t53;
+    const float t55 = t52 * t54;
+    const float t56 = sqrtf(t55);
+    float side, t57, t58, t59, t60;
+    if (t17) {
+        const float t61 = t25 - t26 < 0.0f ? t53 : t54;
+        const float t62 = t55 * t20;
         if (t6) {
-            const float t65 = light.height * (1.0f - t64);
-            const float t66 = sqrtf(light.height * (2.0f - t65));
-            t61 = (t63 - 1.0f) * t66;
-            const float t67 = 1.0f - t65;
-            t60 = fmaf(light.elevation_sin, t67, light.elevation_cos * t61);
-            t59 = fmaf(light.elevation_cos, t67, -(light.elevation_sin * t61));
-            side = t58 * t21 * t66;
-            t62 = t60 * light.on_surface;
+            const float t63 = light.height * (1.0f - t62);
+            const float t64 = sqrtf(light.height * (2.0f - t63));
+            t59 = (t61 - 1.0f) * t64;
+            const float t65 = 1.0f - t63;
+            t58 = fmaf(light.elevation_sin, t65, light.elevation_cos * t59);
+            t57 = fmaf(light.elevation_cos, t65, -(light.elevation_sin * t59));
+            side = t56 * t19 * t64;
+            t60 = t58 * light.on_surface;
         } else {
-            const float t68 = 1.0f - t63;
-            const float t69 = spherecap_max(fmaf(light.climb, t63, -light.rise), 0.0f);
-            t60 = sqrtf(fmaf(t69, t69, light.radius_sin * light.radius_sin * t64));
-            const float t70 = t1 * light.radius_cos;
-            const float t71 = fmaf(light.elevation_cos * t68, fmaf(light.climb, t68, -2.0f * t70), light.radius_sin * t64);
-            t61 = light.radius_sin * fmaf(light.elevation_cos, t71 / (t60 + t70), -(t1 * t1 * t68));
-            t59 = fmaf(light.half_axis, t68, light.middle);
-            side = light.radius_sin * t58 * t21;
-            t62 = t60;
+            const float t66 = 1.0f - t61;
+            const float t67 = spherecap_max(fmaf(light.climb, t61, -light.rise), 0.0f);
+            t58 = sqrtf(fmaf(t67, t67, light.radius_sin * light.radius_sin * t62));
+            const float t68 = t1 * light.radius_cos;
+            const float t69 = fmaf(light.elevation_cos * t66, fmaf(light.climb, t66, -2.0f * t68), light.radius_sin * t62);
+            t59 = light.radius_sin * fmaf(light.elevation_cos, t69 / (t58 + t68), -(t1 * t1 * t66));
+            t57 = fmaf(light.half_axis, t66, light.middle);
+            side = light.radius_sin * t56 * t19;
+            t60 = t58;
         }
     } else {
-        t60 = t58 * t29;
-        t59 = 1.0f - t55;
-        side = t58 * t21;
-        t61 = fmaf(light.elevation_cos, t60, -((t17 ? -t1 : t1) * t59));
-        t62 = t60;
+        t58 = t56 * t27;
+        t57 = 1.0f - t53;
+        side = t56 * t19;
+        t59 = fmaf(light.elevation_cos, t58, -((t15 ? -t1 : t1) * t57));
+        t60 = t58;
     }
-    const float t72 = t10 ? 1.0f : -1.0f;
-    const float zenith = t61 * t72;
-    const float cosine = t62 * t72;
-    const float t73 = t60 * t72;
-    const float t74 = spherecap_min(fabsf(cosine), 3.4028235e38f);
-    const float t75 = 0.0f < cosine ? light.inv_above * light.sides_share : cosine < 0.0f ? light.inv_below * t11 : 0.0f;
-    const float t76 = light.defensive_share * light.inv_solid_angle;
-    const float t77 = fmaf(t75, t7, spherecap_min(t76 / spherecap_max(t74, 1.1754944e-38f), 3.4028235e38f));
-    const float t78 = fmaf(zenith, zenith, side * side);
-    const float t79 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t78), 0.0f);
-    const float t80 = sqrtf(t79);
-    const float t81 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t79));
-    const float t82 = light.radius_cos * light.radius_cos / (t81 + t80);
-    const float t83 = 1.0f / light.radius_sin;
-    const float t84 = t82 * t83;
-    const float t85 = -fmaf(t81, t80, t78) * t83;
-    const float t86 = t84 * zenith;
-    const float t87 = t84 * side;
-    const float t88 = fmaf(light.third_axis.x, t59, fmaf(light.sideways.x, side, light.up.x * t73));
-    const float t89 = fmaf(light.third_axis.y, t59, fmaf(light.sideways.y, side, light.up.y * t73));
-    const float t90 = fmaf(light.third_axis.z, t59, fmaf(light.sideways.z, side, light.up.z * t73));
-    const float t91 = fmaf(light.elevation_cos, t85, -(light.elevation_sin * t86));
-    const float t92 = fmaf(light.elevation_sin, t85, light.elevation_cos * t86);
-    const float t93 = fmaf(light.third_axis.x, t91, fmaf(light.sideways.x, t87, light.up.x * t92));
-    const float t94 = fmaf(light.third_axis.y, t91, fmaf(light.sideways.y, t87, light.up.y * t92));
-    const float t95 = fmaf(light.third_axis.z, t91, fmaf(light.sideways.z, t87, light.up.z * t92));
+    const float t70 = t9 ? 1.0f : -1.0f;
+    const float zenith = t59 * t70;
+    const float cosine = t60 * t70;
+    const float t71 = t58 * t70;
+    const float t72 = spherecap_min(fabsf(cosine), 3.4028235e38f);
+    const float t73 = 0.0f < cosine ? light.inv_above * light.sides_share : cosine < 0.0f ? light.inv_below * light.sides_rest : 0.0f;
+    const float t74 = light.defensive_share * light.inv_solid_angle;
+    const float t75 = fmaf(t73, light.defensive_rest, spherecap_min(t74 / spherecap_max(t72, 1.1754944e-38f), 3.4028235e38f));
+    const float t76 = fmaf(zenith, zenith, side * side);
+    const float t77 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t76), 0.0f);
+    const float t78 = sqrtf(t77);
+    const float t79 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t77));
+    const float t80 = light.radius_cos * light.radius_cos / (t79 + t78);
+    const float t81 = 1.0f / light.radius_sin;
+    const float t82 = t80 * t81;
+    const float t83 = -fmaf(t79, t78, t76) * t81;
+    const float t84 = t82 * zenith;
+    const float t85 = t82 * side;
+    const float t86 = fmaf(light.third_axis.x, t57, fmaf(light.sideways.x, side, light.up.x * t71));
+    const float t87 = fmaf(light.third_axis.y, t57, fmaf(light.sideways.y, side, light.up.y * t71));
+    const float t88 = fmaf(light.third_axis.z, t57, fmaf(light.sideways.z, side, light.up.z * t71));
+    const float t89 = fmaf(light.elevation_cos, t83, -(light.elevation_sin * t84));
+    const float t90 = fmaf(light.elevation_sin, t83, light.elevation_cos * t84);
+    const float t91 = fmaf(light.third_axis.x, t89, fmaf(light.sideways.x, t85, light.up.x * t90));
+    const float t92 = fmaf(light.third_axis.y, t89, fmaf(light.sideways.y, t85, light.up.y * t90));
+    const float t93 = fmaf(light.third_axis.z, t89, fmaf(light.sideways.z, t85, light.up.z * t90));
     const spherecap_sample result = {
-        make_float3(t88, t89, t90), t82 * light.distance, make_float3(t93, t94, t95), cosine,
-        t3 ? fmaf(t75, t7 * t74, t76) : t75 * t74, t3 ? spherecap_min(t77, 3.4028235e38f) : t75
+        make_float3(t86, t87, t88), t80 * light.distance, make_float3(t91, t92, t93), cosine,
+        t3 ? fmaf(t73, light.defensive_rest * t72, t74) : t73 * t72,
+        t3 ? spherecap_min(t75, 3.4028235e38f) : t73
     };
     return result;
 }
@@ -1373,8 +1375,8 @@ static __device__ inline float spherecap_both_pdf_direction(spherecap_both_light
     const float t8 = t7 ? 1.0f : fmaf(t2, direction.x, fmaf(t3, direction.y, t4 * direction.z));
     const float t9 = t7 ? 1.0f : t5;
     const float t10 = spherecap_min(fabsf(t6), 3.4028235e38f);
-    const float t11 = 0.0f < t6 ? light.inv_above * light.sides_share : t6 < 0.0f ? light.inv_below * (1.0f - light.sides_share) : 0.0f;
-    const float t12 = fmaf(t11, (1.0f - light.defensive_share) * t10, light.defensive_share * light.inv_solid_angle);
+    const float t11 = 0.0f < t6 ? light.inv_above * light.sides_share : t6 < 0.0f ? light.inv_below * light.sides_rest : 0.0f;
+    const float t12 = fmaf(t11, light.defensive_rest * t10, light.defensive_share * light.inv_solid_angle);
     const bool t13 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
     const float t14 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
     const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light.defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
@@ -1387,8 +1389,8 @@ static __device__ inline float spherecap_both_pdf_on_sphere(spherecap_both_light
     }
     const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
     const float t2 = spherecap_min(fabsf(t1), 3.4028235e38f);
-    const float t3 = 0.0f < t1 ? light.inv_above * light.sides_share : t1 < 0.0f ? light.inv_below * (1.0f - light.sides_share) : 0.0f;
-    const float t4 = fmaf(t3, (1.0f - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
+    const float t3 = 0.0f < t1 ? light.inv_above * light.sides_share : t1 < 0.0f ? light.inv_below * light.sides_rest : 0.0f;
+    const float t4 = fmaf(t3, light.defensive_rest * t2, light.defensive_share * light.inv_solid_angle);
     const float t5 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
     const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light.defensive_share ? t4 : t3 * t2) : 0.0f;
     return t6;

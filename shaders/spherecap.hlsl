@@ -471,7 +471,8 @@ struct spherecap_front_light {
     float width;
     float cut;
     float rise;
-    float defensive_share;
+    float share;
+    float rest;
     float requested;
     float inv_above;
     float3 third_axis;
@@ -654,7 +655,7 @@ spherecap_front_light spherecap_front_prepare(float3 normal, float3 centre, floa
     float inv_above = 0.0 < projected_above ? 1.0 / projected_above : 0.0;
     bool t99 = 0.0 < inv_above;
     float t100 = t94 ? inv_above : 0.0;
-    float defensive_share = t99 ? defensive : 0.0 < defensive || !(0.0 < on_surface) ? 1.0 : 0.0;
+    float share = t99 ? defensive : 0.0 < defensive || !(0.0 < on_surface) ? 1.0 : 0.0;
     bool t101 = t98 && t94 && 0.0 < t100;
     float t102 = t_y * t_y * t_y * shape * t100;
     float t103 = t_y / radius_sin;
@@ -695,7 +696,7 @@ spherecap_front_light spherecap_front_prepare(float3 normal, float3 centre, floa
         b_5 = t129 - t128;
         b_6 = -t129;
     }
-    bool t130 = 0.0 < defensive_share;
+    bool t130 = 0.0 < share;
     float t131 = (0.0 < radius_cos && t96) ? t93 / (1.0 + radius_cos) : 0.0;
     float inv_solid_angle = t130 ? (0.0 < t131 ? 0.15915494 / t131 : 0.0) : 0.0;
     bool t132 = 0.0 < inv_solid_angle && t130;
@@ -703,8 +704,8 @@ spherecap_front_light spherecap_front_prepare(float3 normal, float3 centre, floa
     spherecap_front_light result = {
         t133, t133 ? t131 * 6.2831855 : 0.0, t133 ? projected_above : 0.0, towards_centre, sideways,
         float3(normal_x, normal_y, normal_z), float3(up_x, up_y, up_z), on_surface, distance, radius_sin,
-        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, defensive,
-        inv_above,
+        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share, 1.0 - share,
+        defensive, inv_above,
         float3(mad(sideways.y, up_z, -(sideways.z * up_y)), mad(sideways.z, up_x, -(sideways.x * up_z)), mad(sideways.x, up_y, -(sideways.y * up_x))),
         t130 ? t131 : 0.0, inv_solid_angle, t101 ? t102 : 0.0, t101 ? 1.0 / (1.0 - t102) : 1.0, beyond,
         elevation_cos * radius_cos, radius_sin * t92, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
@@ -717,115 +718,114 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
         return spherecap_no_sample();
     }
     float t1 = abs(light.elevation_sin);
-    bool t2 = 0.0 < light.defensive_share;
+    bool t2 = 0.0 < light.share;
     float t3 = min(0.99999994, max(5.9604645e-8, u0));
     float t4 = min(0.99999994, max(5.9604645e-8, u1));
-    bool t5 = t3 < light.defensive_share && t2;
-    float t6 = 1.0 - light.defensive_share;
-    float t7 = (t5 ? t3 : t3 - light.defensive_share) / (t5 ? light.defensive_share : t6);
-    float t8 = 0.0 < light.requested ? min(0.99999994, max(5.9604645e-8, t7)) : t3;
-    bool t9 = !(0.0 < light.tau) || t5;
-    bool t10 = !(0.0 < light.elevation_sin) && !t9;
-    bool t11 = light.crescent_share <= t8 && !t10;
-    bool t12 = t9 || t11;
-    float t13 = 1.0 - t4;
-    float t14 = t4 - t13;
-    float t15 = 4.0 * t4 * t13;
-    float t16 = min(0.99999994, max(5.9604645e-8, (t8 - light.crescent_share) * light.inv_rest));
-    float t17 = t9 ? t8 : t16;
-    float t18 = t9 ? 0.0 : light.beyond;
-    float t19 = 3.1415927 - t18;
-    float t20 = mad(t17, t19, t18);
-    float t21 = (1.0 - t17) * t19;
-    float t23, t24, t25;
-    float t22 = 0.0;
-    if (t12) {
-        t23 = min(t21, t20) * 0.53033006;
+    bool t5 = t3 < light.share && t2;
+    float t6 = max(5.9604645e-8, (t5 ? t3 : t3 - light.share) / (t5 ? light.share : light.rest));
+    float t7 = 0.0 < light.requested ? min(0.99999994, t6) : t3;
+    bool t8 = !(0.0 < light.tau) || t5;
+    bool t9 = !(0.0 < light.elevation_sin) && !t8;
+    bool t10 = light.crescent_share <= t7 && !t9;
+    bool t11 = t8 || t10;
+    float t12 = 1.0 - t4;
+    float t13 = t4 - t12;
+    float t14 = 4.0 * t4 * t12;
+    float t15 = min(0.99999994, max(5.9604645e-8, (t7 - light.crescent_share) * light.inv_rest));
+    float t16 = t8 ? t7 : t15;
+    float t17 = t8 ? 0.0 : light.beyond;
+    float t18 = 3.1415927 - t17;
+    float t19 = mad(t16, t18, t17);
+    float t20 = (1.0 - t16) * t18;
+    float t22, t23, t24;
+    float t21 = 0.0;
+    if (t11) {
+        t22 = min(t20, t19) * 0.53033006;
+        t23 = 1.0;
         t24 = 1.0;
-        t25 = 1.0;
     } else {
-        float t26 = sqrt(t15);
-        float t27 = mad(mad(mad(light.b_5, t15, light.b_3), t15, light.b_1), t26, mad(mad(mad(light.b_6, t15, light.b_4), t15, light.b_2), t15, light.b_0));
-        float t28 = t26 * t27;
-        float t29 = sqrt(mad(t14, t14, t28 * t28));
-        float t30 = light.tau * t28;
-        t25 = t10 ? mad(t14, t14, t30 * t30) : 1.0;
-        float t31 = t10 ? mad(light.kappa, t28, t29) * mad(light.cut, t28, t29) : light.crescent_share;
-        float t32 = (t10 ? light.width : t8) / t31;
-        float t33 = t10 ? t32 : light.width;
-        float t34 = t25 * t33;
-        float t35 = t34 * t34;
-        float t36 = mad(mad(mad(-0.00060778117, t35, -0.0027203285), t35, -0.10000902), t34, mad(mad(1.0676054e-5, t35, -0.011332183), t35, 1.0000001));
-        t22 = t10 ? t30 : t26;
-        t23 = t10 ? t8 : min(0.99999994, max(5.9604645e-8, t32));
-        t24 = t33 * t36;
+        float t25 = sqrt(t14);
+        float t26 = mad(mad(mad(light.b_5, t14, light.b_3), t14, light.b_1), t25, mad(mad(mad(light.b_6, t14, light.b_4), t14, light.b_2), t14, light.b_0));
+        float t27 = t25 * t26;
+        float t28 = sqrt(mad(t13, t13, t27 * t27));
+        float t29 = light.tau * t27;
+        t24 = t9 ? mad(t13, t13, t29 * t29) : 1.0;
+        float t30 = t9 ? mad(light.kappa, t27, t28) * mad(light.cut, t27, t28) : light.crescent_share;
+        float t31 = (t9 ? light.width : t7) / t30;
+        float t32 = t9 ? t31 : light.width;
+        float t33 = t24 * t32;
+        float t34 = t33 * t33;
+        float t35 = mad(mad(mad(-0.00060778117, t34, -0.0027203285), t34, -0.10000902), t33, mad(mad(1.0676054e-5, t34, -0.011332183), t34, 1.0000001));
+        t21 = t9 ? t29 : t25;
+        t22 = t9 ? t7 : min(0.99999994, max(5.9604645e-8, t31));
+        t23 = t32 * t35;
     }
-    float t37 = spherecap_float_of_bits(mad(spherecap_bits(t23), -0.33333334, 1419900500.0));
-    float t38 = mad(-(t23 * t37), t37 * t37, 1.0);
-    float t39 = t38 * t38;
-    float t40 = mad(mad(mad(0.110958695, t39, 0.14403293), t39, 0.22222222), t38, mad(mad(0.12482853, t39, 0.17283951), t39, 0.33333334));
-    float t41 = t24 * (t23 * mad(t37, t38 * t40, t37));
-    float t42 = t41 * t25;
-    float t43 = t42 * t42;
-    float t44 = mad(mad(mad(-0.063446075, t43, -0.056249518), t43, 0.0074712755), t43, 0.09996679);
-    float t45 = mad(mad(mad(0.022114987, t43, 0.085662976), t43, 0.030445365), t43, 0.03209764);
-    float t46 = t41 * mad(t44, t42, mad(t45, t43, 1.0000004));
-    float t47 = t12 ? min(1.0, t46) : t46;
-    float t48 = t25 * t47;
-    float t49 = 2.0 - t48;
-    float t50 = t47 * t49;
-    float t51 = sqrt(t50);
-    float zenith, side, cosine, t52, t53;
-    if (t12) {
-        float t54 = t20 - t21 < 0.0 ? t48 : t49;
-        float t55 = t50 * t15;
+    float t36 = spherecap_float_of_bits(mad(spherecap_bits(t22), -0.33333334, 1419900500.0));
+    float t37 = mad(-(t22 * t36), t36 * t36, 1.0);
+    float t38 = t37 * t37;
+    float t39 = mad(mad(mad(0.110958695, t38, 0.14403293), t38, 0.22222222), t37, mad(mad(0.12482853, t38, 0.17283951), t38, 0.33333334));
+    float t40 = t23 * (t22 * mad(t36, t37 * t39, t36));
+    float t41 = t40 * t24;
+    float t42 = t41 * t41;
+    float t43 = mad(mad(mad(-0.063446075, t42, -0.056249518), t42, 0.0074712755), t42, 0.09996679);
+    float t44 = mad(mad(mad(0.022114987, t42, 0.085662976), t42, 0.030445365), t42, 0.03209764);
+    float t45 = t40 * mad(t43, t41, mad(t44, t42, 1.0000004));
+    float t46 = t11 ? min(1.0, t45) : t45;
+    float t47 = t24 * t46;
+    float t48 = 2.0 - t47;
+    float t49 = t46 * t48;
+    float t50 = sqrt(t49);
+    float zenith, side, cosine, t51, t52;
+    if (t11) {
+        float t53 = t19 - t20 < 0.0 ? t47 : t48;
+        float t54 = t49 * t14;
         if (t5) {
-            float t56 = light.height * (1.0 - t55);
-            float t57 = sqrt(light.height * (2.0 - t56));
-            zenith = (t54 - 1.0) * t57;
-            float t58 = 1.0 - t56;
-            t53 = mad(light.elevation_sin, t58, light.elevation_cos * zenith);
-            t52 = mad(light.elevation_cos, t58, -(light.elevation_sin * zenith));
-            side = t51 * t14 * t57;
-            cosine = t53 * light.on_surface;
+            float t55 = light.height * (1.0 - t54);
+            float t56 = sqrt(light.height * (2.0 - t55));
+            zenith = (t53 - 1.0) * t56;
+            float t57 = 1.0 - t55;
+            t52 = mad(light.elevation_sin, t57, light.elevation_cos * zenith);
+            t51 = mad(light.elevation_cos, t57, -(light.elevation_sin * zenith));
+            side = t50 * t13 * t56;
+            cosine = t52 * light.on_surface;
         } else {
-            float t59 = 1.0 - t54;
-            float t60 = max(0.0, mad(light.climb, t54, -light.rise));
-            t53 = sqrt(mad(t60, t60, light.radius_sin * light.radius_sin * t55));
-            float t61 = t1 * light.radius_cos;
-            float t62 = mad(light.elevation_cos * t59, mad(light.climb, t59, -2.0 * t61), light.radius_sin * t55);
-            zenith = light.radius_sin * mad(light.elevation_cos, t62 / (t53 + t61), -(t1 * t1 * t59));
-            t52 = mad(light.half_axis, t59, light.middle);
-            side = light.radius_sin * t51 * t14;
-            cosine = t53;
+            float t58 = 1.0 - t53;
+            float t59 = max(0.0, mad(light.climb, t53, -light.rise));
+            t52 = sqrt(mad(t59, t59, light.radius_sin * light.radius_sin * t54));
+            float t60 = t1 * light.radius_cos;
+            float t61 = mad(light.elevation_cos * t58, mad(light.climb, t58, -2.0 * t60), light.radius_sin * t54);
+            zenith = light.radius_sin * mad(light.elevation_cos, t61 / (t52 + t60), -(t1 * t1 * t58));
+            t51 = mad(light.half_axis, t58, light.middle);
+            side = light.radius_sin * t50 * t13;
+            cosine = t52;
         }
     } else {
-        cosine = t51 * t22;
-        t52 = 1.0 - t48;
-        zenith = mad(light.elevation_cos, cosine, -((t10 ? -t1 : t1) * t52));
-        side = t51 * t14;
-        t53 = cosine;
+        cosine = t50 * t21;
+        t51 = 1.0 - t47;
+        zenith = mad(light.elevation_cos, cosine, -((t9 ? -t1 : t1) * t51));
+        side = t50 * t13;
+        t52 = cosine;
     }
-    float t63 = min(3.4028235e38, abs(cosine));
-    float t64 = 0.0 < cosine ? light.inv_above : 0.0;
-    float t65 = light.defensive_share * light.inv_solid_angle;
-    float t66 = min(3.4028235e38, mad(t64, t6, min(3.4028235e38, t65 / max(1.1754944e-38, t63))));
-    float t67 = mad(zenith, zenith, side * side);
-    float t68 = max(0.0, mad(light.radius_sin, light.radius_sin, -t67));
-    float t69 = sqrt(t68);
-    float t70 = sqrt(mad(light.radius_cos, light.radius_cos, t68));
-    float t71 = light.radius_cos * light.radius_cos / (t70 + t69);
-    float t72 = 1.0 / light.radius_sin;
-    float t73 = t71 * t72;
-    float t74 = -mad(t70, t69, t67) * t72;
-    float t75 = t73 * zenith;
-    float t76 = t73 * side;
-    float t77 = mad(light.elevation_cos, t74, -(light.elevation_sin * t75));
-    float t78 = mad(light.elevation_sin, t74, light.elevation_cos * t75);
+    float t62 = min(3.4028235e38, abs(cosine));
+    float t63 = 0.0 < cosine ? light.inv_above : 0.0;
+    float t64 = light.share * light.inv_solid_angle;
+    float t65 = min(3.4028235e38, mad(t63, light.rest, min(3.4028235e38, t64 / max(1.1754944e-38, t62))));
+    float t66 = mad(zenith, zenith, side * side);
+    float t67 = max(0.0, mad(light.radius_sin, light.radius_sin, -t66));
+    float t68 = sqrt(t67);
+    float t69 = sqrt(mad(light.radius_cos, light.radius_cos, t67));
+    float t70 = light.radius_cos * light.radius_cos / (t69 + t68);
+    float t71 = 1.0 / light.radius_sin;
+    float t72 = t70 * t71;
+    float t73 = -mad(t69, t68, t66) * t71;
+    float t74 = t72 * zenith;
+    float t75 = t72 * side;
+    float t76 = mad(light.elevation_cos, t73, -(light.elevation_sin * t74));
+    float t77 = mad(light.elevation_sin, t73, light.elevation_cos * t74);
     spherecap_sample result = {
-        light.third_axis * t52 + light.sideways * side + light.up * t53, t71 * light.distance,
-        light.third_axis * t77 + light.sideways * t76 + light.up * t78, cosine,
-        t2 ? mad(t64, t6 * t63, t65) : t64 * t63, t2 ? t66 : t64
+        light.third_axis * t51 + light.sideways * side + light.up * t52, t70 * light.distance,
+        light.third_axis * t76 + light.sideways * t75 + light.up * t77, cosine,
+        t2 ? mad(t63, light.rest * t62, t64) : t63 * t62, t2 ? t65 : t63
     };
     return result;
 }
@@ -845,8 +845,8 @@ float spherecap_front_pdf_direction(spherecap_front_light light, float3 directio
     float t4 = t2 ? 1.0 : dot(light.sideways, direction);
     float t5 = min(3.4028235e38, abs(t1));
     float t6 = 0.0 < t1 ? light.inv_above : 0.0;
-    float t7 = mad(t6, (1.0 - light.defensive_share) * t5, light.defensive_share * light.inv_solid_angle);
-    float t8 = mad(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.defensive_share ? t7 : t6 * t5) : 0.0;
+    float t7 = 0.0 < light.share ? mad(t6, light.rest * t5, light.share * light.inv_solid_angle) : t6 * t5;
+    float t8 = mad(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? t7 : 0.0;
     float t9 = dot(direction, direction);
     return (0.998001 <= t9 && t9 <= 1.002001) ? t8 : 0.0;
 }
@@ -858,10 +858,9 @@ float spherecap_front_pdf_on_sphere(spherecap_front_light light, float3 directio
     float t1 = dot(light.normal, direction);
     float t2 = min(3.4028235e38, abs(t1));
     float t3 = 0.0 < t1 ? light.inv_above : 0.0;
-    float t4 = mad(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
+    float t4 = 0.0 < light.share ? mad(t3, light.rest * t2, light.share * light.inv_solid_angle) : t3 * t2;
     float t5 = dot(direction, direction);
-    float t6 = (0.998001 <= t5 && t5 <= 1.002001) ? (0.0 < light.defensive_share ? t4 : t3 * t2) : 0.0;
-    return t6;
+    return (0.998001 <= t5 && t5 <= 1.002001) ? t4 : 0.0;
 }
 
 float spherecap_front_importance(float3 normal, float3 centre, float radius, float defensive, float strength) {
@@ -927,10 +926,12 @@ struct spherecap_both_light {
     float cut;
     float rise;
     float defensive_share;
+    float defensive_rest;
     float requested;
     float inv_above;
     float inv_below;
     float sides_share;
+    float sides_rest;
     float3 third_axis;
     float height;
     float inv_solid_angle;
@@ -1178,14 +1179,17 @@ spherecap_both_light spherecap_both_prepare(float3 normal, float3 centre, float 
     bool t152 = 0.0 < defensive_share;
     float t153 = (0.0 < radius_cos && t98) ? t93 / (1.0 + radius_cos) : 0.0;
     float inv_solid_angle = t152 ? (0.0 < t153 ? 0.15915494 / t153 : 0.0) : 0.0;
-    float sides_share = 0.0 < inv_below ? (0.0 < inv_above ? (t95 ? 1.0 - t108 : t108) : 0.0) : 1.0;
-    bool t154 = 0.0 < inv_solid_angle && t152;
-    bool t155 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t102 || t154);
+    float t154 = 1.0 - t108;
+    bool t155 = 0.0 < inv_below;
+    bool t156 = 0.0 < inv_above;
+    bool t157 = 0.0 < inv_solid_angle && t152;
+    bool t158 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t102 || t157);
     spherecap_both_light result = {
-        t155, t155 ? t153 * 6.2831855 : 0.0, t155 ? projected_above : 0.0, towards_centre, sideways,
+        t158, t158 ? t153 * 6.2831855 : 0.0, t158 ? projected_above : 0.0, towards_centre, sideways,
         float3(normal_x, normal_y, normal_z), float3(up_x, up_y, up_z), on_surface, distance, radius_sin,
-        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, defensive,
-        inv_above, inv_below, sides_share,
+        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
+        1.0 - defensive_share, defensive, inv_above, inv_below,
+        t155 ? (t156 ? (t95 ? t154 : t108) : 0.0) : 1.0, t156 ? (t155 ? (t95 ? t108 : t154) : 0.0) : 1.0,
         float3(mad(sideways.y, up_z, -(sideways.z * up_y)), mad(sideways.z, up_x, -(sideways.x * up_z)), mad(sideways.x, up_y, -(sideways.y * up_x))),
         t152 ? t153 : 0.0, inv_solid_angle, t104 ? t105 : 0.0, t104 ? 1.0 / (1.0 - t105) : 1.0,
         t104 ? t106 * t106 * t106 * t107 : 0.0, elevation_cos * radius_cos, radius_sin * t92, climb, b_0,
@@ -1204,121 +1208,119 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     float t4 = min(0.99999994, max(5.9604645e-8, u0));
     float t5 = min(0.99999994, max(5.9604645e-8, u1));
     bool t6 = t4 < light.defensive_share && t3;
-    float t7 = 1.0 - light.defensive_share;
-    float t8 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : t7);
-    float t9 = 0.0 < light.requested ? min(0.99999994, max(5.9604645e-8, t8)) : t4;
-    bool t10 = t9 < light.sides_share || t6;
-    float t11 = 1.0 - light.sides_share;
-    float t12 = max(5.9604645e-8, (t10 ? t9 : t9 - light.sides_share) / (t10 ? light.sides_share : t11));
-    bool t13 = t10 && t2;
-    bool t14 = !t10 && !t2;
-    float t15 = t6 ? t9 : min(0.99999994, t12);
-    bool t16 = !(0.0 < light.tau) || t6;
-    bool t17 = !(t13 || t14) && !t16;
-    bool t18 = light.crescent_share <= t15 && !t17;
-    bool t19 = t16 || t18;
-    float t20 = 1.0 - t5;
-    float t21 = t5 - t20;
-    float t22 = 4.0 * t5 * t20;
-    float t23 = min(0.99999994, max(5.9604645e-8, (t15 - light.crescent_share) * light.inv_rest));
-    float t24 = t16 ? t15 : t23;
-    float t25 = t16 ? 0.0 : light.beyond;
-    float t26 = 3.1415927 - t25;
-    float t27 = mad(t24, t26, t25);
-    float t28 = (1.0 - t24) * t26;
-    float t30, t31, t32;
-    float t29 = 0.0;
-    if (t19) {
-        t30 = min(t28, t27) * 0.53033006;
-        t31 = 1.0;
-        t32 = 1.0;
+    float t7 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : light.defensive_rest);
+    float t8 = 0.0 < light.requested ? min(0.99999994, max(5.9604645e-8, t7)) : t4;
+    bool t9 = t8 < light.sides_share || t6;
+    float t10 = (t9 ? t8 : t8 - light.sides_share) / (t9 ? light.sides_share : light.sides_rest);
+    bool t11 = t9 && t2;
+    bool t12 = !t9 && !t2;
+    float t13 = t6 ? t8 : min(0.99999994, max(5.9604645e-8, t10));
+    bool t14 = !(0.0 < light.tau) || t6;
+    bool t15 = !(t11 || t12) && !t14;
+    bool t16 = light.crescent_share <= t13 && !t15;
+    bool t17 = t14 || t16;
+    float t18 = 1.0 - t5;
+    float t19 = t5 - t18;
+    float t20 = 4.0 * t5 * t18;
+    float t21 = min(0.99999994, max(5.9604645e-8, (t13 - light.crescent_share) * light.inv_rest));
+    float t22 = t14 ? t13 : t21;
+    float t23 = t14 ? 0.0 : light.beyond;
+    float t24 = 3.1415927 - t23;
+    float t25 = mad(t22, t24, t23);
+    float t26 = (1.0 - t22) * t24;
+    float t28, t29, t30;
+    float t27 = 0.0;
+    if (t17) {
+        t28 = min(t26, t25) * 0.53033006;
+        t29 = 1.0;
+        t30 = 1.0;
     } else {
-        float t33 = sqrt(t22);
-        float t34 = mad(mad(mad(light.b_5, t22, light.b_3), t22, light.b_1), t33, mad(mad(mad(light.b_6, t22, light.b_4), t22, light.b_2), t22, light.b_0));
-        float t35 = t33 * t34;
-        float t36 = sqrt(mad(t21, t21, t35 * t35));
-        float t37 = light.tau * t35;
-        t32 = t17 ? mad(t21, t21, t37 * t37) : 1.0;
-        float t38 = t17 ? mad(light.kappa, t35, t36) * mad(light.cut, t35, t36) : light.crescent_share;
-        float t39 = (t17 ? light.width : t15) / t38;
-        float t40 = t17 ? t39 : light.width;
-        float t41 = t32 * t40;
-        float t42 = t41 * t41;
-        float t43 = mad(mad(mad(-0.00060778117, t42, -0.0027203285), t42, -0.10000902), t41, mad(mad(1.0676054e-5, t42, -0.011332183), t42, 1.0000001));
-        t29 = t17 ? t37 : t33;
-        t30 = t17 ? t15 : min(0.99999994, max(5.9604645e-8, t39));
-        t31 = t40 * t43;
+        float t31 = sqrt(t20);
+        float t32 = mad(mad(mad(light.b_5, t20, light.b_3), t20, light.b_1), t31, mad(mad(mad(light.b_6, t20, light.b_4), t20, light.b_2), t20, light.b_0));
+        float t33 = t31 * t32;
+        float t34 = sqrt(mad(t19, t19, t33 * t33));
+        float t35 = light.tau * t33;
+        t30 = t15 ? mad(t19, t19, t35 * t35) : 1.0;
+        float t36 = t15 ? mad(light.kappa, t33, t34) * mad(light.cut, t33, t34) : light.crescent_share;
+        float t37 = (t15 ? light.width : t13) / t36;
+        float t38 = t15 ? t37 : light.width;
+        float t39 = t30 * t38;
+        float t40 = t39 * t39;
+        float t41 = mad(mad(mad(-0.00060778117, t40, -0.0027203285), t40, -0.10000902), t39, mad(mad(1.0676054e-5, t40, -0.011332183), t40, 1.0000001));
+        t27 = t15 ? t35 : t31;
+        t28 = t15 ? t13 : min(0.99999994, max(5.9604645e-8, t37));
+        t29 = t38 * t41;
     }
-    float t44 = spherecap_float_of_bits(mad(spherecap_bits(t30), -0.33333334, 1419900500.0));
-    float t45 = mad(-(t30 * t44), t44 * t44, 1.0);
-    float t46 = t45 * t45;
-    float t47 = mad(mad(mad(0.110958695, t46, 0.14403293), t46, 0.22222222), t45, mad(mad(0.12482853, t46, 0.17283951), t46, 0.33333334));
-    float t48 = t31 * (t30 * mad(t44, t45 * t47, t44));
-    float t49 = t48 * t32;
-    float t50 = t49 * t49;
-    float t51 = mad(mad(mad(-0.063446075, t50, -0.056249518), t50, 0.0074712755), t50, 0.09996679);
-    float t52 = mad(mad(mad(0.022114987, t50, 0.085662976), t50, 0.030445365), t50, 0.03209764);
-    float t53 = t48 * mad(t51, t49, mad(t52, t50, 1.0000004));
-    float t54 = t19 ? min(1.0, t53) : t53;
-    float t55 = t32 * t54;
-    float t56 = 2.0 - t55;
-    float t57 = t54 * t56;
-    float t58 = sqrt(t57);
-    float side, t59, t60, t61, t62;
-    if (t19) {
-        float t63 = t27 - t28 < 0.0 ? t55 : t56;
-        float t64 = t57 * t22;
+    float t42 = spherecap_float_of_bits(mad(spherecap_bits(t28), -0.33333334, 1419900500.0));
+    float t43 = mad(-(t28 * t42), t42 * t42, 1.0);
+    float t44 = t43 * t43;
+    float t45 = mad(mad(mad(0.110958695, t44, 0.14403293), t44, 0.22222222), t43, mad(mad(0.12482853, t44, 0.17283951), t44, 0.33333334));
+    float t46 = t29 * (t28 * mad(t42, t43 * t45, t42));
+    float t47 = t46 * t30;
+    float t48 = t47 * t47;
+    float t49 = mad(mad(mad(-0.063446075, t48, -0.056249518), t48, 0.0074712755), t48, 0.09996679);
+    float t50 = mad(mad(mad(0.022114987, t48, 0.085662976), t48, 0.030445365), t48, 0.03209764);
+    float t51 = t46 * mad(t49, t47, mad(t50, t48, 1.0000004));
+    float t52 = t17 ? min(1.0, t51) : t51;
+    float t53 = t30 * t52;
+    float t54 = 2.0 - t53;
+    float t55 = t52 * t54;
+    float t56 = sqrt(t55);
+    float side, t57, t58, t59, t60;
+    if (t17) {
+        float t61 = t25 - t26 < 0.0 ? t53 : t54;
+        float t62 = t55 * t20;
         if (t6) {
-            float t65 = light.height * (1.0 - t64);
-            float t66 = sqrt(light.height * (2.0 - t65));
-            t61 = (t63 - 1.0) * t66;
-            float t67 = 1.0 - t65;
-            t60 = mad(light.elevation_sin, t67, light.elevation_cos * t61);
-            t59 = mad(light.elevation_cos, t67, -(light.elevation_sin * t61));
-            side = t58 * t21 * t66;
-            t62 = t60 * light.on_surface;
+            float t63 = light.height * (1.0 - t62);
+            float t64 = sqrt(light.height * (2.0 - t63));
+            t59 = (t61 - 1.0) * t64;
+            float t65 = 1.0 - t63;
+            t58 = mad(light.elevation_sin, t65, light.elevation_cos * t59);
+            t57 = mad(light.elevation_cos, t65, -(light.elevation_sin * t59));
+            side = t56 * t19 * t64;
+            t60 = t58 * light.on_surface;
         } else {
-            float t68 = 1.0 - t63;
-            float t69 = max(0.0, mad(light.climb, t63, -light.rise));
-            t60 = sqrt(mad(t69, t69, light.radius_sin * light.radius_sin * t64));
-            float t70 = t1 * light.radius_cos;
-            float t71 = mad(light.elevation_cos * t68, mad(light.climb, t68, -2.0 * t70), light.radius_sin * t64);
-            t61 = light.radius_sin * mad(light.elevation_cos, t71 / (t60 + t70), -(t1 * t1 * t68));
-            t59 = mad(light.half_axis, t68, light.middle);
-            side = light.radius_sin * t58 * t21;
-            t62 = t60;
+            float t66 = 1.0 - t61;
+            float t67 = max(0.0, mad(light.climb, t61, -light.rise));
+            t58 = sqrt(mad(t67, t67, light.radius_sin * light.radius_sin * t62));
+            float t68 = t1 * light.radius_cos;
+            float t69 = mad(light.elevation_cos * t66, mad(light.climb, t66, -2.0 * t68), light.radius_sin * t62);
+            t59 = light.radius_sin * mad(light.elevation_cos, t69 / (t58 + t68), -(t1 * t1 * t66));
+            t57 = mad(light.half_axis, t66, light.middle);
+            side = light.radius_sin * t56 * t19;
+            t60 = t58;
         }
     } else {
-        t60 = t58 * t29;
-        t59 = 1.0 - t55;
-        side = t58 * t21;
-        t61 = mad(light.elevation_cos, t60, -((t17 ? -t1 : t1) * t59));
-        t62 = t60;
+        t58 = t56 * t27;
+        t57 = 1.0 - t53;
+        side = t56 * t19;
+        t59 = mad(light.elevation_cos, t58, -((t15 ? -t1 : t1) * t57));
+        t60 = t58;
     }
-    float t72 = t10 ? 1.0 : -1.0;
-    float zenith = t61 * t72;
-    float cosine = t62 * t72;
-    float t73 = t60 * t72;
-    float t74 = min(3.4028235e38, abs(cosine));
-    float t75 = 0.0 < cosine ? light.inv_above * light.sides_share : cosine < 0.0 ? light.inv_below * t11 : 0.0;
-    float t76 = light.defensive_share * light.inv_solid_angle;
-    float t77 = min(3.4028235e38, mad(t75, t7, min(3.4028235e38, t76 / max(1.1754944e-38, t74))));
-    float t78 = mad(zenith, zenith, side * side);
-    float t79 = max(0.0, mad(light.radius_sin, light.radius_sin, -t78));
-    float t80 = sqrt(t79);
-    float t81 = sqrt(mad(light.radius_cos, light.radius_cos, t79));
-    float t82 = light.radius_cos * light.radius_cos / (t81 + t80);
-    float t83 = 1.0 / light.radius_sin;
-    float t84 = t82 * t83;
-    float t85 = -mad(t81, t80, t78) * t83;
-    float t86 = t84 * zenith;
-    float t87 = t84 * side;
-    float t88 = mad(light.elevation_cos, t85, -(light.elevation_sin * t86));
-    float t89 = mad(light.elevation_sin, t85, light.elevation_cos * t86);
+    float t70 = t9 ? 1.0 : -1.0;
+    float zenith = t59 * t70;
+    float cosine = t60 * t70;
+    float t71 = t58 * t70;
+    float t72 = min(3.4028235e38, abs(cosine));
+    float t73 = 0.0 < cosine ? light.inv_above * light.sides_share : cosine < 0.0 ? light.inv_below * light.sides_rest : 0.0;
+    float t74 = light.defensive_share * light.inv_solid_angle;
+    float t75 = mad(t73, light.defensive_rest, min(3.4028235e38, t74 / max(1.1754944e-38, t72)));
+    float t76 = mad(zenith, zenith, side * side);
+    float t77 = max(0.0, mad(light.radius_sin, light.radius_sin, -t76));
+    float t78 = sqrt(t77);
+    float t79 = sqrt(mad(light.radius_cos, light.radius_cos, t77));
+    float t80 = light.radius_cos * light.radius_cos / (t79 + t78);
+    float t81 = 1.0 / light.radius_sin;
+    float t82 = t80 * t81;
+    float t83 = -mad(t79, t78, t76) * t81;
+    float t84 = t82 * zenith;
+    float t85 = t82 * side;
+    float t86 = mad(light.elevation_cos, t83, -(light.elevation_sin * t84));
+    float t87 = mad(light.elevation_sin, t83, light.elevation_cos * t84);
     spherecap_sample result = {
-        light.third_axis * t59 + light.sideways * side + light.up * t73, t82 * light.distance,
-        light.third_axis * t88 + light.sideways * t87 + light.up * t89, cosine,
-        t3 ? mad(t75, t7 * t74, t76) : t75 * t74, t3 ? t77 : t75
+        light.third_axis * t57 + light.sideways * side + light.up * t71, t80 * light.distance,
+        light.third_axis * t86 + light.sideways * t85 + light.up * t87, cosine,
+        t3 ? mad(t73, light.defensive_rest * t72, t74) : t73 * t72, t3 ? min(3.4028235e38, t75) : t73
     };
     return result;
 }
@@ -1337,8 +1339,8 @@ float spherecap_both_pdf_direction(spherecap_both_light light, float3 direction)
     float t3 = t2 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
     float t4 = t2 ? 1.0 : dot(light.sideways, direction);
     float t5 = min(3.4028235e38, abs(t1));
-    float t6 = 0.0 < t1 ? light.inv_above * light.sides_share : t1 < 0.0 ? light.inv_below * (1.0 - light.sides_share) : 0.0;
-    float t7 = mad(t6, (1.0 - light.defensive_share) * t5, light.defensive_share * light.inv_solid_angle);
+    float t6 = 0.0 < t1 ? light.inv_above * light.sides_share : t1 < 0.0 ? light.inv_below * light.sides_rest : 0.0;
+    float t7 = mad(t6, light.defensive_rest * t5, light.defensive_share * light.inv_solid_angle);
     float t8 = mad(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.defensive_share ? t7 : t6 * t5) : 0.0;
     float t9 = dot(direction, direction);
     return (0.998001 <= t9 && t9 <= 1.002001) ? t8 : 0.0;
@@ -1350,8 +1352,8 @@ float spherecap_both_pdf_on_sphere(spherecap_both_light light, float3 direction)
     }
     float t1 = dot(light.normal, direction);
     float t2 = min(3.4028235e38, abs(t1));
-    float t3 = 0.0 < t1 ? light.inv_above * light.sides_share : t1 < 0.0 ? light.inv_below * (1.0 - light.sides_share) : 0.0;
-    float t4 = mad(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
+    float t3 = 0.0 < t1 ? light.inv_above * light.sides_share : t1 < 0.0 ? light.inv_below * light.sides_rest : 0.0;
+    float t4 = mad(t3, light.defensive_rest * t2, light.defensive_share * light.inv_solid_angle);
     float t5 = dot(direction, direction);
     float t6 = (0.998001 <= t5 && t5 <= 1.002001) ? (0.0 < light.defensive_share ? t4 : t3 * t2) : 0.0;
     return t6;

@@ -488,7 +488,8 @@ struct spherecap_front_light {
     width: f32,
     cut: f32,
     rise: f32,
-    defensive_share: f32,
+    share: f32,
+    rest: f32,
     requested: f32,
     inv_above: f32,
     third_axis: vec3f,
@@ -694,7 +695,7 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
     let t103 = 0.0 < inv_above;
     let t104 = select(0.0, inv_above, t98);
-    let defensive_share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t103);
+    let share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t103);
     let t105 = t102 && t98 && 0.0 < t104;
     let t106 = t_y * t_y * t_y * shape * t104;
     let t107 = t_y / radius_sin;
@@ -741,7 +742,7 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
         b_5 = t133 - t132;
         b_6 = -t133;
     }
-    let t134 = 0.0 < defensive_share;
+    let t134 = 0.0 < share;
     let t135 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t100);
     let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t135, 0.0 < t135), t134);
     let t136 = 0.0 < inv_solid_angle && t134;
@@ -749,8 +750,8 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     return spherecap_front_light(
         t137, select(0.0, t135 * 6.2831855, t137), select(0.0, projected_above, t137), towards_centre,
         sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
-        defensive, inv_above,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share,
+        1.0 - share, defensive, inv_above,
         vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
         select(0.0, t135, t134), inv_solid_angle, select(0.0, t106, t105),
         select(1.0, 1.0 / (1.0 - t106), t105), beyond, elevation_cos * radius_cos, radius_sin * t96, climb,
@@ -763,121 +764,120 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         return spherecap_no_sample();
     }
     let t1 = abs(light.elevation_sin);
-    let t2 = 0.0 < light.defensive_share;
+    let t2 = 0.0 < light.share;
     let t3 = min(0.99999994, max(5.9604645e-8, u0));
     let t4 = min(0.99999994, max(5.9604645e-8, u1));
-    let t5 = t3 < light.defensive_share && t2;
-    let t6 = 1.0 - light.defensive_share;
-    let t7 = select(t3 - light.defensive_share, t3, t5) / select(t6, light.defensive_share, t5);
-    let t8 = select(t3, min(0.99999994, max(5.9604645e-8, t7)), 0.0 < light.requested);
-    let t9 = !(0.0 < light.tau) || t5;
-    let t10 = !(0.0 < light.elevation_sin) && !t9;
-    let t11 = light.crescent_share <= t8 && !t10;
-    let t12 = t9 || t11;
-    let t13 = 1.0 - t4;
-    let t14 = t4 - t13;
-    let t15 = 4.0 * t4 * t13;
-    let t16 = min(0.99999994, max(5.9604645e-8, (t8 - light.crescent_share) * light.inv_rest));
-    let t17 = select(t16, t8, t9);
-    let t18 = select(light.beyond, 0.0, t9);
-    let t19 = 3.1415927 - t18;
-    let t20 = fma(t17, t19, t18);
-    let t21 = (1.0 - t17) * t19;
+    let t5 = t3 < light.share && t2;
+    let t6 = max(5.9604645e-8, select(t3 - light.share, t3, t5) / select(light.rest, light.share, t5));
+    let t7 = select(t3, min(0.99999994, t6), 0.0 < light.requested);
+    let t8 = !(0.0 < light.tau) || t5;
+    let t9 = !(0.0 < light.elevation_sin) && !t8;
+    let t10 = light.crescent_share <= t7 && !t9;
+    let t11 = t8 || t10;
+    let t12 = 1.0 - t4;
+    let t13 = t4 - t12;
+    let t14 = 4.0 * t4 * t12;
+    let t15 = min(0.99999994, max(5.9604645e-8, (t7 - light.crescent_share) * light.inv_rest));
+    let t16 = select(t15, t7, t8);
+    let t17 = select(light.beyond, 0.0, t8);
+    let t18 = 3.1415927 - t17;
+    let t19 = fma(t16, t18, t17);
+    let t20 = (1.0 - t16) * t18;
+    var t22: f32;
     var t23: f32;
     var t24: f32;
-    var t25: f32;
-    var t22 = 0.0;
-    if (t12) {
-        t23 = min(t21, t20) * 0.53033006;
+    var t21 = 0.0;
+    if (t11) {
+        t22 = min(t20, t19) * 0.53033006;
+        t23 = 1.0;
         t24 = 1.0;
-        t25 = 1.0;
     } else {
-        let t26 = sqrt(t15);
-        let t27 = fma(fma(fma(light.b_5, t15, light.b_3), t15, light.b_1), t26, fma(fma(fma(light.b_6, t15, light.b_4), t15, light.b_2), t15, light.b_0));
-        let t28 = t26 * t27;
-        let t29 = sqrt(fma(t14, t14, t28 * t28));
-        let t30 = light.tau * t28;
-        t25 = select(1.0, fma(t14, t14, t30 * t30), t10);
-        let t31 = select(light.crescent_share, fma(light.kappa, t28, t29) * fma(light.cut, t28, t29), t10);
-        let t32 = select(t8, light.width, t10) / t31;
-        let t33 = select(light.width, t32, t10);
-        let t34 = t25 * t33;
-        let t35 = t34 * t34;
-        let t36 = fma(fma(fma(-0.00060778117, t35, -0.0027203285), t35, -0.10000902), t34, fma(fma(1.0676054e-5, t35, -0.011332183), t35, 1.0000001));
-        t22 = select(t26, t30, t10);
-        t23 = select(min(0.99999994, max(5.9604645e-8, t32)), t8, t10);
-        t24 = t33 * t36;
+        let t25 = sqrt(t14);
+        let t26 = fma(fma(fma(light.b_5, t14, light.b_3), t14, light.b_1), t25, fma(fma(fma(light.b_6, t14, light.b_4), t14, light.b_2), t14, light.b_0));
+        let t27 = t25 * t26;
+        let t28 = sqrt(fma(t13, t13, t27 * t27));
+        let t29 = light.tau * t27;
+        t24 = select(1.0, fma(t13, t13, t29 * t29), t9);
+        let t30 = select(light.crescent_share, fma(light.kappa, t27, t28) * fma(light.cut, t27, t28), t9);
+        let t31 = select(t7, light.width, t9) / t30;
+        let t32 = select(light.width, t31, t9);
+        let t33 = t24 * t32;
+        let t34 = t33 * t33;
+        let t35 = fma(fma(fma(-0.00060778117, t34, -0.0027203285), t34, -0.10000902), t33, fma(fma(1.0676054e-5, t34, -0.011332183), t34, 1.0000001));
+        t21 = select(t25, t29, t9);
+        t22 = select(min(0.99999994, max(5.9604645e-8, t31)), t7, t9);
+        t23 = t32 * t35;
     }
-    let t37 = spherecap_float_of_bits(fma(spherecap_bits(t23), -0.33333334, 1419900500.0));
-    let t38 = fma(-(t23 * t37), t37 * t37, 1.0);
-    let t39 = t38 * t38;
-    let t40 = fma(fma(fma(0.110958695, t39, 0.14403293), t39, 0.22222222), t38, fma(fma(0.12482853, t39, 0.17283951), t39, 0.33333334));
-    let t41 = t24 * (t23 * fma(t37, t38 * t40, t37));
-    let t42 = t41 * t25;
-    let t43 = t42 * t42;
-    let t44 = fma(fma(fma(-0.063446075, t43, -0.056249518), t43, 0.0074712755), t43, 0.09996679);
-    let t45 = fma(fma(fma(0.022114987, t43, 0.085662976), t43, 0.030445365), t43, 0.03209764);
-    let t46 = t41 * fma(t44, t42, fma(t45, t43, 1.0000004));
-    let t47 = select(t46, min(1.0, t46), t12);
-    let t48 = t25 * t47;
-    let t49 = 2.0 - t48;
-    let t50 = t47 * t49;
-    let t51 = sqrt(t50);
+    let t36 = spherecap_float_of_bits(fma(spherecap_bits(t22), -0.33333334, 1419900500.0));
+    let t37 = fma(-(t22 * t36), t36 * t36, 1.0);
+    let t38 = t37 * t37;
+    let t39 = fma(fma(fma(0.110958695, t38, 0.14403293), t38, 0.22222222), t37, fma(fma(0.12482853, t38, 0.17283951), t38, 0.33333334));
+    let t40 = t23 * (t22 * fma(t36, t37 * t39, t36));
+    let t41 = t40 * t24;
+    let t42 = t41 * t41;
+    let t43 = fma(fma(fma(-0.063446075, t42, -0.056249518), t42, 0.0074712755), t42, 0.09996679);
+    let t44 = fma(fma(fma(0.022114987, t42, 0.085662976), t42, 0.030445365), t42, 0.03209764);
+    let t45 = t40 * fma(t43, t41, fma(t44, t42, 1.0000004));
+    let t46 = select(t45, min(1.0, t45), t11);
+    let t47 = t24 * t46;
+    let t48 = 2.0 - t47;
+    let t49 = t46 * t48;
+    let t50 = sqrt(t49);
     var zenith: f32;
     var side: f32;
     var cosine: f32;
+    var t51: f32;
     var t52: f32;
-    var t53: f32;
-    if (t12) {
-        let t54 = select(t49, t48, t20 - t21 < 0.0);
-        let t55 = t50 * t15;
+    if (t11) {
+        let t53 = select(t48, t47, t19 - t20 < 0.0);
+        let t54 = t49 * t14;
         if (t5) {
-            let t56 = light.height * (1.0 - t55);
-            let t57 = sqrt(light.height * (2.0 - t56));
-            zenith = (t54 - 1.0) * t57;
-            let t58 = 1.0 - t56;
-            t53 = fma(light.elevation_sin, t58, light.elevation_cos * zenith);
-            t52 = fma(light.elevation_cos, t58, -(light.elevation_sin * zenith));
-            side = t51 * t14 * t57;
-            cosine = t53 * light.on_surface;
+            let t55 = light.height * (1.0 - t54);
+            let t56 = sqrt(light.height * (2.0 - t55));
+            zenith = (t53 - 1.0) * t56;
+            let t57 = 1.0 - t55;
+            t52 = fma(light.elevation_sin, t57, light.elevation_cos * zenith);
+            t51 = fma(light.elevation_cos, t57, -(light.elevation_sin * zenith));
+            side = t50 * t13 * t56;
+            cosine = t52 * light.on_surface;
         } else {
-            let t59 = 1.0 - t54;
-            let t60 = max(0.0, fma(light.climb, t54, -light.rise));
-            t53 = sqrt(fma(t60, t60, light.radius_sin * light.radius_sin * t55));
-            let t61 = t1 * light.radius_cos;
-            let t62 = fma(light.elevation_cos * t59, fma(light.climb, t59, -2.0 * t61), light.radius_sin * t55);
-            zenith = light.radius_sin * fma(light.elevation_cos, t62 / (t53 + t61), -(t1 * t1 * t59));
-            t52 = fma(light.half_axis, t59, light.middle);
-            side = light.radius_sin * t51 * t14;
-            cosine = t53;
+            let t58 = 1.0 - t53;
+            let t59 = max(0.0, fma(light.climb, t53, -light.rise));
+            t52 = sqrt(fma(t59, t59, light.radius_sin * light.radius_sin * t54));
+            let t60 = t1 * light.radius_cos;
+            let t61 = fma(light.elevation_cos * t58, fma(light.climb, t58, -2.0 * t60), light.radius_sin * t54);
+            zenith = light.radius_sin * fma(light.elevation_cos, t61 / (t52 + t60), -(t1 * t1 * t58));
+            t51 = fma(light.half_axis, t58, light.middle);
+            side = light.radius_sin * t50 * t13;
+            cosine = t52;
         }
     } else {
-        cosine = t51 * t22;
-        t52 = 1.0 - t48;
-        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t10) * t52));
-        side = t51 * t14;
-        t53 = cosine;
+        cosine = t50 * t21;
+        t51 = 1.0 - t47;
+        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t9) * t51));
+        side = t50 * t13;
+        t52 = cosine;
     }
-    let t63 = min(3.4028235e38, abs(cosine));
-    let t64 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t65 = light.defensive_share * light.inv_solid_angle;
-    let t66 = min(3.4028235e38, fma(t64, t6, min(3.4028235e38, t65 / max(1.1754944e-38, t63))));
-    let t67 = fma(zenith, zenith, side * side);
-    let t68 = max(0.0, fma(light.radius_sin, light.radius_sin, -t67));
-    let t69 = sqrt(t68);
-    let t70 = sqrt(fma(light.radius_cos, light.radius_cos, t68));
-    let t71 = light.radius_cos * light.radius_cos / (t70 + t69);
-    let t72 = 1.0 / light.radius_sin;
-    let t73 = t71 * t72;
-    let t74 = -fma(t70, t69, t67) * t72;
-    let t75 = t73 * zenith;
-    let t76 = t73 * side;
-    let t77 = fma(light.elevation_cos, t74, -(light.elevation_sin * t75));
-    let t78 = fma(light.elevation_sin, t74, light.elevation_cos * t75);
+    let t62 = min(3.4028235e38, abs(cosine));
+    let t63 = select(0.0, light.inv_above, 0.0 < cosine);
+    let t64 = light.share * light.inv_solid_angle;
+    let t65 = min(3.4028235e38, fma(t63, light.rest, min(3.4028235e38, t64 / max(1.1754944e-38, t62))));
+    let t66 = fma(zenith, zenith, side * side);
+    let t67 = max(0.0, fma(light.radius_sin, light.radius_sin, -t66));
+    let t68 = sqrt(t67);
+    let t69 = sqrt(fma(light.radius_cos, light.radius_cos, t67));
+    let t70 = light.radius_cos * light.radius_cos / (t69 + t68);
+    let t71 = 1.0 / light.radius_sin;
+    let t72 = t70 * t71;
+    let t73 = -fma(t69, t68, t66) * t71;
+    let t74 = t72 * zenith;
+    let t75 = t72 * side;
+    let t76 = fma(light.elevation_cos, t73, -(light.elevation_sin * t74));
+    let t77 = fma(light.elevation_sin, t73, light.elevation_cos * t74);
     return spherecap_sample(
-        light.third_axis * t52 + light.sideways * side + light.up * t53, t71 * light.distance,
-        light.third_axis * t77 + light.sideways * t76 + light.up * t78, cosine,
-        select(t64 * t63, fma(t64, t6 * t63, t65), t2), select(t64, t66, t2)
+        light.third_axis * t51 + light.sideways * side + light.up * t52, t70 * light.distance,
+        light.third_axis * t76 + light.sideways * t75 + light.up * t77, cosine,
+        select(t63 * t62, fma(t63, light.rest * t62, t64), t2), select(t63, t65, t2)
     );
 }
 
@@ -895,8 +895,8 @@ fn spherecap_front_pdf_direction(light: spherecap_front_light, direction: vec3f)
     let t4 = select(dot(light.sideways, direction), 1.0, t2);
     let t5 = min(3.4028235e38, abs(t1));
     let t6 = select(0.0, light.inv_above, 0.0 < t1);
-    let t7 = fma(t6, (1.0 - light.defensive_share) * t5, light.defensive_share * light.inv_solid_angle);
-    let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive_share), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t7 = select(t6 * t5, fma(t6, light.rest * t5, light.share * light.inv_solid_angle), 0.0 < light.share);
+    let t8 = select(0.0, t7, fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
     let t9 = dot(direction, direction);
     return select(0.0, t8, 0.998001 <= t9 && t9 <= 1.002001);
 }
@@ -908,10 +908,9 @@ fn spherecap_front_pdf_on_sphere(light: spherecap_front_light, direction: vec3f)
     let t1 = dot(light.normal, direction);
     let t2 = min(3.4028235e38, abs(t1));
     let t3 = select(0.0, light.inv_above, 0.0 < t1);
-    let t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
+    let t4 = select(t3 * t2, fma(t3, light.rest * t2, light.share * light.inv_solid_angle), 0.0 < light.share);
     let t5 = dot(direction, direction);
-    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
-    return t6;
+    return select(0.0, t4, 0.998001 <= t5 && t5 <= 1.002001);
 }
 
 fn spherecap_front_importance(normal: vec3f, centre: vec3f, radius: f32, defensive: f32, strength: f32) -> f32 {
@@ -979,10 +978,12 @@ struct spherecap_both_light {
     cut: f32,
     rise: f32,
     defensive_share: f32,
+    defensive_rest: f32,
     requested: f32,
     inv_above: f32,
     inv_below: f32,
     sides_share: f32,
+    sides_rest: f32,
     third_axis: vec3f,
     height: f32,
     inv_solid_angle: f32,
@@ -1260,14 +1261,18 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     let t156 = 0.0 < defensive_share;
     let t157 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t102);
     let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t157, 0.0 < t157), t156);
-    let sides_share = select(1.0, select(0.0, select(t112, 1.0 - t112, t99), 0.0 < inv_above), 0.0 < inv_below);
-    let t158 = 0.0 < inv_solid_angle && t156;
-    let t159 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t106 || t158);
+    let t158 = 1.0 - t112;
+    let t159 = 0.0 < inv_below;
+    let t160 = 0.0 < inv_above;
+    let t161 = 0.0 < inv_solid_angle && t156;
+    let t162 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t106 || t161);
     return spherecap_both_light(
-        t159, select(0.0, t157 * 6.2831855, t159), select(0.0, projected_above, t159), towards_centre,
+        t162, select(0.0, t157 * 6.2831855, t162), select(0.0, projected_above, t162), towards_centre,
         sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
         radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
-        defensive, inv_above, inv_below, sides_share,
+        1.0 - defensive_share, defensive, inv_above, inv_below,
+        select(1.0, select(0.0, select(t112, t158, t99), t160), t159),
+        select(1.0, select(0.0, select(t158, t112, t99), t159), t160),
         vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
         select(0.0, t157, t156), inv_solid_angle, select(0.0, t109, t108),
         select(1.0, 1.0 / (1.0 - t109), t108), select(0.0, t110 * t110 * t110 * t111, t108),
@@ -1285,127 +1290,126 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     let t4 = min(0.99999994, max(5.9604645e-8, u0));
     let t5 = min(0.99999994, max(5.9604645e-8, u1));
     let t6 = t4 < light.defensive_share && t3;
-    let t7 = 1.0 - light.defensive_share;
-    let t8 = select(t4 - light.defensive_share, t4, t6) / select(t7, light.defensive_share, t6);
-    let t9 = select(t4, min(0.99999994, max(5.9604645e-8, t8)), 0.0 < light.requested);
-    let t10 = t9 < light.sides_share || t6;
-    let t11 = 1.0 - light.sides_share;
-    let t12 = select(t9 - light.sides_share, t9, t10) / select(t11, light.sides_share, t10);
-    let t13 = t10 && t2;
-    let t14 = !t10 && !t2;
-    let t15 = select(min(0.99999994, max(5.9604645e-8, t12)), t9, t6);
-    let t16 = !(0.0 < light.tau) || t6;
-    let t17 = !(t13 || t14) && !t16;
-    let t18 = light.crescent_share <= t15 && !t17;
-    let t19 = t16 || t18;
-    let t20 = 1.0 - t5;
-    let t21 = t5 - t20;
-    let t22 = 4.0 * t5 * t20;
-    let t23 = min(0.99999994, max(5.9604645e-8, (t15 - light.crescent_share) * light.inv_rest));
-    let t24 = select(t23, t15, t16);
-    let t25 = select(light.beyond, 0.0, t16);
-    let t26 = 3.1415927 - t25;
-    let t27 = fma(t24, t26, t25);
-    let t28 = (1.0 - t24) * t26;
+    let t7 = select(t4 - light.defensive_share, t4, t6) / select(light.defensive_rest, light.defensive_share, t6);
+    let t8 = select(t4, min(0.99999994, max(5.9604645e-8, t7)), 0.0 < light.requested);
+    let t9 = t8 < light.sides_share || t6;
+    let t10 = select(t8 - light.sides_share, t8, t9) / select(light.sides_rest, light.sides_share, t9);
+    let t11 = t9 && t2;
+    let t12 = !t9 && !t2;
+    let t13 = select(min(0.99999994, max(5.9604645e-8, t10)), t8, t6);
+    let t14 = !(0.0 < light.tau) || t6;
+    let t15 = !(t11 || t12) && !t14;
+    let t16 = light.crescent_share <= t13 && !t15;
+    let t17 = t14 || t16;
+    let t18 = 1.0 - t5;
+    let t19 = t5 - t18;
+    let t20 = 4.0 * t5 * t18;
+    let t21 = min(0.99999994, max(5.9604645e-8, (t13 - light.crescent_share) * light.inv_rest));
+    let t22 = select(t21, t13, t14);
+    let t23 = select(light.beyond, 0.0, t14);
+    let t24 = 3.1415927 - t23;
+    let t25 = fma(t22, t24, t23);
+    let t26 = (1.0 - t22) * t24;
+    var t28: f32;
+    var t29: f32;
     var t30: f32;
-    var t31: f32;
-    var t32: f32;
-    var t29 = 0.0;
-    if (t19) {
-        t30 = min(t28, t27) * 0.53033006;
-        t31 = 1.0;
-        t32 = 1.0;
+    var t27 = 0.0;
+    if (t17) {
+        t28 = min(t26, t25) * 0.53033006;
+        t29 = 1.0;
+        t30 = 1.0;
     } else {
-        let t33 = sqrt(t22);
-        let t34 = fma(fma(fma(light.b_5, t22, light.b_3), t22, light.b_1), t33, fma(fma(fma(light.b_6, t22, light.b_4), t22, light.b_2), t22, light.b_0));
-        let t35 = t33 * t34;
-        let t36 = sqrt(fma(t21, t21, t35 * t35));
-        let t37 = light.tau * t35;
-        t32 = select(1.0, fma(t21, t21, t37 * t37), t17);
-        let t38 = select(light.crescent_share, fma(light.kappa, t35, t36) * fma(light.cut, t35, t36), t17);
-        let t39 = select(t15, light.width, t17) / t38;
-        let t40 = select(light.width, t39, t17);
-        let t41 = t32 * t40;
-        let t42 = t41 * t41;
-        let t43 = fma(fma(fma(-0.00060778117, t42, -0.0027203285), t42, -0.10000902), t41, fma(fma(1.0676054e-5, t42, -0.011332183), t42, 1.0000001));
-        t29 = select(t33, t37, t17);
-        t30 = select(min(0.99999994, max(5.9604645e-8, t39)), t15, t17);
-        t31 = t40 * t43;
+        let t31 = sqrt(t20);
+        let t32 = fma(fma(fma(light.b_5, t20, light.b_3), t20, light.b_1), t31, fma(fma(fma(light.b_6, t20, light.b_4), t20, light.b_2), t20, light.b_0));
+        let t33 = t31 * t32;
+        let t34 = sqrt(fma(t19, t19, t33 * t33));
+        let t35 = light.tau * t33;
+        t30 = select(1.0, fma(t19, t19, t35 * t35), t15);
+        let t36 = select(light.crescent_share, fma(light.kappa, t33, t34) * fma(light.cut, t33, t34), t15);
+        let t37 = select(t13, light.width, t15) / t36;
+        let t38 = select(light.width, t37, t15);
+        let t39 = t30 * t38;
+        let t40 = t39 * t39;
+        let t41 = fma(fma(fma(-0.00060778117, t40, -0.0027203285), t40, -0.10000902), t39, fma(fma(1.0676054e-5, t40, -0.011332183), t40, 1.0000001));
+        t27 = select(t31, t35, t15);
+        t28 = select(min(0.99999994, max(5.9604645e-8, t37)), t13, t15);
+        t29 = t38 * t41;
     }
-    let t44 = spherecap_float_of_bits(fma(spherecap_bits(t30), -0.33333334, 1419900500.0));
-    let t45 = fma(-(t30 * t44), t44 * t44, 1.0);
-    let t46 = t45 * t45;
-    let t47 = fma(fma(fma(0.110958695, t46, 0.14403293), t46, 0.22222222), t45, fma(fma(0.12482853, t46, 0.17283951), t46, 0.33333334));
-    let t48 = t31 * (t30 * fma(t44, t45 * t47, t44));
-    let t49 = t48 * t32;
-    let t50 = t49 * t49;
-    let t51 = fma(fma(fma(-0.063446075, t50, -0.056249518), t50, 0.0074712755), t50, 0.09996679);
-    let t52 = fma(fma(fma(0.022114987, t50, 0.085662976), t50, 0.030445365), t50, 0.03209764);
-    let t53 = t48 * fma(t51, t49, fma(t52, t50, 1.0000004));
-    let t54 = select(t53, min(1.0, t53), t19);
-    let t55 = t32 * t54;
-    let t56 = 2.0 - t55;
-    let t57 = t54 * t56;
-    let t58 = sqrt(t57);
+    let t42 = spherecap_float_of_bits(fma(spherecap_bits(t28), -0.33333334, 1419900500.0));
+    let t43 = fma(-(t28 * t42), t42 * t42, 1.0);
+    let t44 = t43 * t43;
+    let t45 = fma(fma(fma(0.110958695, t44, 0.14403293), t44, 0.22222222), t43, fma(fma(0.12482853, t44, 0.17283951), t44, 0.33333334));
+    let t46 = t29 * (t28 * fma(t42, t43 * t45, t42));
+    let t47 = t46 * t30;
+    let t48 = t47 * t47;
+    let t49 = fma(fma(fma(-0.063446075, t48, -0.056249518), t48, 0.0074712755), t48, 0.09996679);
+    let t50 = fma(fma(fma(0.022114987, t48, 0.085662976), t48, 0.030445365), t48, 0.03209764);
+    let t51 = t46 * fma(t49, t47, fma(t50, t48, 1.0000004));
+    let t52 = select(t51, min(1.0, t51), t17);
+    let t53 = t30 * t52;
+    let t54 = 2.0 - t53;
+    let t55 = t52 * t54;
+    let t56 = sqrt(t55);
     var side: f32;
+    var t57: f32;
+    var t58: f32;
     var t59: f32;
     var t60: f32;
-    var t61: f32;
-    var t62: f32;
-    if (t19) {
-        let t63 = select(t56, t55, t27 - t28 < 0.0);
-        let t64 = t57 * t22;
+    if (t17) {
+        let t61 = select(t54, t53, t25 - t26 < 0.0);
+        let t62 = t55 * t20;
         if (t6) {
-            let t65 = light.height * (1.0 - t64);
-            let t66 = sqrt(light.height * (2.0 - t65));
-            t61 = (t63 - 1.0) * t66;
-            let t67 = 1.0 - t65;
-            t60 = fma(light.elevation_sin, t67, light.elevation_cos * t61);
-            t59 = fma(light.elevation_cos, t67, -(light.elevation_sin * t61));
-            side = t58 * t21 * t66;
-            t62 = t60 * light.on_surface;
+            let t63 = light.height * (1.0 - t62);
+            let t64 = sqrt(light.height * (2.0 - t63));
+            t59 = (t61 - 1.0) * t64;
+            let t65 = 1.0 - t63;
+            t58 = fma(light.elevation_sin, t65, light.elevation_cos * t59);
+            t57 = fma(light.elevation_cos, t65, -(light.elevation_sin * t59));
+            side = t56 * t19 * t64;
+            t60 = t58 * light.on_surface;
         } else {
-            let t68 = 1.0 - t63;
-            let t69 = max(0.0, fma(light.climb, t63, -light.rise));
-            t60 = sqrt(fma(t69, t69, light.radius_sin * light.radius_sin * t64));
-            let t70 = t1 * light.radius_cos;
-            let t71 = fma(light.elevation_cos * t68, fma(light.climb, t68, -2.0 * t70), light.radius_sin * t64);
-            t61 = light.radius_sin * fma(light.elevation_cos, t71 / (t60 + t70), -(t1 * t1 * t68));
-            t59 = fma(light.half_axis, t68, light.middle);
-            side = light.radius_sin * t58 * t21;
-            t62 = t60;
+            let t66 = 1.0 - t61;
+            let t67 = max(0.0, fma(light.climb, t61, -light.rise));
+            t58 = sqrt(fma(t67, t67, light.radius_sin * light.radius_sin * t62));
+            let t68 = t1 * light.radius_cos;
+            let t69 = fma(light.elevation_cos * t66, fma(light.climb, t66, -2.0 * t68), light.radius_sin * t62);
+            t59 = light.radius_sin * fma(light.elevation_cos, t69 / (t58 + t68), -(t1 * t1 * t66));
+            t57 = fma(light.half_axis, t66, light.middle);
+            side = light.radius_sin * t56 * t19;
+            t60 = t58;
         }
     } else {
-        t60 = t58 * t29;
-        t59 = 1.0 - t55;
-        side = t58 * t21;
-        t61 = fma(light.elevation_cos, t60, -(select(t1, -t1, t17) * t59));
-        t62 = t60;
+        t58 = t56 * t27;
+        t57 = 1.0 - t53;
+        side = t56 * t19;
+        t59 = fma(light.elevation_cos, t58, -(select(t1, -t1, t15) * t57));
+        t60 = t58;
     }
-    let t72 = select(-1.0, 1.0, t10);
-    let zenith = t61 * t72;
-    let cosine = t62 * t72;
-    let t73 = t60 * t72;
-    let t74 = min(3.4028235e38, abs(cosine));
-    let t75 = select(select(0.0, light.inv_below * t11, cosine < 0.0), light.inv_above * light.sides_share, 0.0 < cosine);
-    let t76 = light.defensive_share * light.inv_solid_angle;
-    let t77 = min(3.4028235e38, fma(t75, t7, min(3.4028235e38, t76 / max(1.1754944e-38, t74))));
-    let t78 = fma(zenith, zenith, side * side);
-    let t79 = max(0.0, fma(light.radius_sin, light.radius_sin, -t78));
-    let t80 = sqrt(t79);
-    let t81 = sqrt(fma(light.radius_cos, light.radius_cos, t79));
-    let t82 = light.radius_cos * light.radius_cos / (t81 + t80);
-    let t83 = 1.0 / light.radius_sin;
-    let t84 = t82 * t83;
-    let t85 = -fma(t81, t80, t78) * t83;
-    let t86 = t84 * zenith;
-    let t87 = t84 * side;
-    let t88 = fma(light.elevation_cos, t85, -(light.elevation_sin * t86));
-    let t89 = fma(light.elevation_sin, t85, light.elevation_cos * t86);
+    let t70 = select(-1.0, 1.0, t9);
+    let zenith = t59 * t70;
+    let cosine = t60 * t70;
+    let t71 = t58 * t70;
+    let t72 = min(3.4028235e38, abs(cosine));
+    let t73 = select(select(0.0, light.inv_below * light.sides_rest, cosine < 0.0), light.inv_above * light.sides_share, 0.0 < cosine);
+    let t74 = light.defensive_share * light.inv_solid_angle;
+    let t75 = fma(t73, light.defensive_rest, min(3.4028235e38, t74 / max(1.1754944e-38, t72)));
+    let t76 = fma(zenith, zenith, side * side);
+    let t77 = max(0.0, fma(light.radius_sin, light.radius_sin, -t76));
+    let t78 = sqrt(t77);
+    let t79 = sqrt(fma(light.radius_cos, light.radius_cos, t77));
+    let t80 = light.radius_cos * light.radius_cos / (t79 + t78);
+    let t81 = 1.0 / light.radius_sin;
+    let t82 = t80 * t81;
+    let t83 = -fma(t79, t78, t76) * t81;
+    let t84 = t82 * zenith;
+    let t85 = t82 * side;
+    let t86 = fma(light.elevation_cos, t83, -(light.elevation_sin * t84));
+    let t87 = fma(light.elevation_sin, t83, light.elevation_cos * t84);
     return spherecap_sample(
-        light.third_axis * t59 + light.sideways * side + light.up * t73, t82 * light.distance,
-        light.third_axis * t88 + light.sideways * t87 + light.up * t89, cosine,
-        select(t75 * t74, fma(t75, t7 * t74, t76), t3), select(t75, t77, t3)
+        light.third_axis * t57 + light.sideways * side + light.up * t71, t80 * light.distance,
+        light.third_axis * t86 + light.sideways * t85 + light.up * t87, cosine,
+        select(t73 * t72, fma(t73, light.defensive_rest * t72, t74), t3),
+        select(t73, min(3.4028235e38, t75), t3)
     );
 }
 
@@ -1422,8 +1426,8 @@ fn spherecap_both_pdf_direction(light: spherecap_both_light, direction: vec3f) -
     let t3 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t2);
     let t4 = select(dot(light.sideways, direction), 1.0, t2);
     let t5 = min(3.4028235e38, abs(t1));
-    let t6 = select(select(0.0, light.inv_below * (1.0 - light.sides_share), t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
-    let t7 = fma(t6, (1.0 - light.defensive_share) * t5, light.defensive_share * light.inv_solid_angle);
+    let t6 = select(select(0.0, light.inv_below * light.sides_rest, t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
+    let t7 = fma(t6, light.defensive_rest * t5, light.defensive_share * light.inv_solid_angle);
     let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive_share), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
     let t9 = dot(direction, direction);
     return select(0.0, t8, 0.998001 <= t9 && t9 <= 1.002001);
@@ -1435,8 +1439,8 @@ fn spherecap_both_pdf_on_sphere(light: spherecap_both_light, direction: vec3f) -
     }
     let t1 = dot(light.normal, direction);
     let t2 = min(3.4028235e38, abs(t1));
-    let t3 = select(select(0.0, light.inv_below * (1.0 - light.sides_share), t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
-    let t4 = fma(t3, (1.0 - light.defensive_share) * t2, light.defensive_share * light.inv_solid_angle);
+    let t3 = select(select(0.0, light.inv_below * light.sides_rest, t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
+    let t4 = fma(t3, light.defensive_rest * t2, light.defensive_share * light.inv_solid_angle);
     let t5 = dot(direction, direction);
     let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
     return t6;

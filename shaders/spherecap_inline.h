@@ -507,7 +507,8 @@ typedef struct spherecap_inline_front_light {
     float width;
     float cut;
     float rise;
-    float defensive_share;
+    float share;
+    float rest;
     float requested;
     float inv_above;
     float third_axis[3];
@@ -695,7 +696,7 @@ static inline spherecap_inline_front_light spherecap_inline_front_prepare(const 
     const float inv_above = 0.0f < projected_above ? 1.0f / projected_above : 0.0f;
     const bool t101 = 0.0f < inv_above;
     const float t102 = t96 ? inv_above : 0.0f;
-    const float defensive_share = t101 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
+    const float share = t101 ? defensive : 0.0f < defensive || !(0.0f < on_surface) ? 1.0f : 0.0f;
     const bool t103 = t100 && t96 && 0.0f < t102;
     const float t104 = t_y * t_y * t_y * shape * t102;
     const float t105 = t_y / radius_sin;
@@ -736,7 +737,7 @@ static inline spherecap_inline_front_light spherecap_inline_front_prepare(const 
         b_5 = t131 - t130;
         b_6 = -t131;
     }
-    const bool t132 = 0.0f < defensive_share;
+    const bool t132 = 0.0f < share;
     const float t133 = (0.0f < radius_cos && t98) ? t95 / (1.0f + radius_cos) : 0.0f;
     const float inv_solid_angle = t132 ? (0.0f < t133 ? 0.15915494f / t133 : 0.0f) : 0.0f;
     const bool t134 = 0.0f < inv_solid_angle && t132;
@@ -745,7 +746,8 @@ static inline spherecap_inline_front_light spherecap_inline_front_prepare(const 
         t135, t135 ? t133 * 6.2831855f : 0.0f, t135 ? projected_above : 0.0f,
         {t13 * t93, t14 * t93, t15 * t93}, {sideways_x, sideways_y, sideways_z},
         {normal_x, normal_y, normal_z}, {up_x, up_y, up_z}, on_surface, distance, radius_sin, radius_cos,
-        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, defensive, inv_above,
+        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share, 1.0f - share, defensive,
+        inv_above,
         {fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))},
         t132 ? t133 : 0.0f, inv_solid_angle, t103 ? t104 : 0.0f, t103 ? 1.0f / (1.0f - t104) : 1.0f, beyond,
         elevation_cos * radius_cos, radius_sin * t94, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
@@ -759,123 +761,121 @@ static inline spherecap_inline_sample spherecap_inline_front_sample(const sphere
         return spherecap_inline_no_sample();
     }
     const float t1 = fabsf(light->elevation_sin);
-    const bool t2 = 0.0f < light->defensive_share;
+    const bool t2 = 0.0f < light->share;
     const float t3 = spherecap_inline_min(spherecap_inline_max(u0, 5.9604645e-8f), 0.99999994f);
     const float t4 = spherecap_inline_min(spherecap_inline_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t5 = t3 < light->defensive_share && t2;
-    const float t6 = 1.0f - light->defensive_share;
-    const float t7 = (t5 ? t3 : t3 - light->defensive_share) / (t5 ? light->defensive_share : t6);
-    const float t8 = spherecap_inline_min(spherecap_inline_max(t7, 5.9604645e-8f), 0.99999994f);
-    const float t9 = 0.0f < light->requested ? t8 : t3;
-    const bool t10 = !(0.0f < light->tau) || t5;
-    const bool t11 = !(0.0f < light->elevation_sin) && !t10;
-    const bool t12 = light->crescent_share <= t9 && !t11;
-    const bool t13 = t10 || t12;
-    const float t14 = 1.0f - t4;
-    const float t15 = t4 - t14;
-    const float t16 = 4.0f * t4 * t14;
-    const float t17 = spherecap_inline_max((t9 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-    const float t18 = t10 ? t9 : spherecap_inline_min(t17, 0.99999994f);
-    const float t19 = t10 ? 0.0f : light->beyond;
-    const float t20 = 3.1415927f - t19;
-    const float t21 = fmaf(t18, t20, t19);
-    const float t22 = (1.0f - t18) * t20;
-    float t24, t25, t26;
-    float t23 = 0.0f;
-    if (t13) {
-        t24 = spherecap_inline_min(t21, t22) * 0.53033006f;
-        t25 = 1.0f;
-        t26 = 1.0f;
+    const bool t5 = t3 < light->share && t2;
+    const float t6 = spherecap_inline_max((t5 ? t3 : t3 - light->share) / (t5 ? light->share : light->rest), 5.9604645e-8f);
+    const float t7 = 0.0f < light->requested ? spherecap_inline_min(t6, 0.99999994f) : t3;
+    const bool t8 = !(0.0f < light->tau) || t5;
+    const bool t9 = !(0.0f < light->elevation_sin) && !t8;
+    const bool t10 = light->crescent_share <= t7 && !t9;
+    const bool t11 = t8 || t10;
+    const float t12 = 1.0f - t4;
+    const float t13 = t4 - t12;
+    const float t14 = 4.0f * t4 * t12;
+    const float t15 = spherecap_inline_max((t7 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t16 = t8 ? t7 : spherecap_inline_min(t15, 0.99999994f);
+    const float t17 = t8 ? 0.0f : light->beyond;
+    const float t18 = 3.1415927f - t17;
+    const float t19 = fmaf(t16, t18, t17);
+    const float t20 = (1.0f - t16) * t18;
+    float t22, t23, t24;
+    float t21 = 0.0f;
+    if (t11) {
+        t22 = spherecap_inline_min(t19, t20) * 0.53033006f;
+        t23 = 1.0f;
+        t24 = 1.0f;
     } else {
-        const float t27 = sqrtf(t16);
-        const float t28 = fmaf(fmaf(fmaf(light->b_6, t16, light->b_4), t16, light->b_2), t16, light->b_0);
-        const float t29 = t27 * fmaf(fmaf(fmaf(light->b_5, t16, light->b_3), t16, light->b_1), t27, t28);
-        const float t30 = sqrtf(fmaf(t15, t15, t29 * t29));
-        const float t31 = light->tau * t29;
-        t26 = t11 ? fmaf(t15, t15, t31 * t31) : 1.0f;
-        const float t32 = t11 ? fmaf(light->kappa, t29, t30) * fmaf(light->cut, t29, t30) : light->crescent_share;
-        const float t33 = (t11 ? light->width : t9) / t32;
-        const float t34 = spherecap_inline_min(spherecap_inline_max(t33, 5.9604645e-8f), 0.99999994f);
-        const float t35 = t11 ? t33 : light->width;
-        const float t36 = t26 * t35;
-        const float t37 = t36 * t36;
-        const float t38 = fmaf(fmaf(fmaf(-0.00060778117f, t37, -0.0027203285f), t37, -0.10000902f), t36, fmaf(fmaf(1.0676054e-5f, t37, -0.011332183f), t37, 1.0000001f));
-        t23 = t11 ? t31 : t27;
-        t24 = t11 ? t9 : t34;
-        t25 = t35 * t38;
+        const float t25 = sqrtf(t14);
+        const float t26 = fmaf(fmaf(fmaf(light->b_6, t14, light->b_4), t14, light->b_2), t14, light->b_0);
+        const float t27 = t25 * fmaf(fmaf(fmaf(light->b_5, t14, light->b_3), t14, light->b_1), t25, t26);
+        const float t28 = sqrtf(fmaf(t13, t13, t27 * t27));
+        const float t29 = light->tau * t27;
+        t24 = t9 ? fmaf(t13, t13, t29 * t29) : 1.0f;
+        const float t30 = t9 ? fmaf(light->kappa, t27, t28) * fmaf(light->cut, t27, t28) : light->crescent_share;
+        const float t31 = (t9 ? light->width : t7) / t30;
+        const float t32 = spherecap_inline_min(spherecap_inline_max(t31, 5.9604645e-8f), 0.99999994f);
+        const float t33 = t9 ? t31 : light->width;
+        const float t34 = t24 * t33;
+        const float t35 = t34 * t34;
+        const float t36 = fmaf(fmaf(fmaf(-0.00060778117f, t35, -0.0027203285f), t35, -0.10000902f), t34, fmaf(fmaf(1.0676054e-5f, t35, -0.011332183f), t35, 1.0000001f));
+        t21 = t9 ? t29 : t25;
+        t22 = t9 ? t7 : t32;
+        t23 = t33 * t36;
     }
-    const float t39 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t24), -0.33333334f, 1419900500.0f));
-    const float t40 = fmaf(-(t24 * t39), t39 * t39, 1.0f);
-    const float t41 = t40 * t40;
-    const float t42 = fmaf(fmaf(fmaf(0.110958695f, t41, 0.14403293f), t41, 0.22222222f), t40, fmaf(fmaf(0.12482853f, t41, 0.17283951f), t41, 0.33333334f));
-    const float t43 = t25 * (t24 * fmaf(t39, t40 * t42, t39));
-    const float t44 = t43 * t26;
-    const float t45 = t44 * t44;
-    const float t46 = fmaf(fmaf(fmaf(-0.063446075f, t45, -0.056249518f), t45, 0.0074712755f), t45, 0.09996679f);
-    const float t47 = fmaf(fmaf(fmaf(0.022114987f, t45, 0.085662976f), t45, 0.030445365f), t45, 0.03209764f);
-    const float t48 = t43 * fmaf(t46, t44, fmaf(t47, t45, 1.0000004f));
-    const float t49 = t13 ? spherecap_inline_min(t48, 1.0f) : t48;
-    const float t50 = t26 * t49;
-    const float t51 = 2.0f - t50;
-    const float t52 = t49 * t51;
-    const float t53 = sqrtf(t52);
-    float zenith, side, cosine, t54, t55;
-    if (t13) {
-        const float t56 = t21 - t22 < 0.0f ? t50 : t51;
-        const float t57 = t52 * t16;
+    const float t37 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t22), -0.33333334f, 1419900500.0f));
+    const float t38 = fmaf(-(t22 * t37), t37 * t37, 1.0f);
+    const float t39 = t38 * t38;
+    const float t40 = fmaf(fmaf(fmaf(0.110958695f, t39, 0.14403293f), t39, 0.22222222f), t38, fmaf(fmaf(0.12482853f, t39, 0.17283951f), t39, 0.33333334f));
+    const float t41 = t23 * (t22 * fmaf(t37, t38 * t40, t37));
+    const float t42 = t41 * t24;
+    const float t43 = t42 * t42;
+    const float t44 = fmaf(fmaf(fmaf(-0.063446075f, t43, -0.056249518f), t43, 0.0074712755f), t43, 0.09996679f);
+    const float t45 = fmaf(fmaf(fmaf(0.022114987f, t43, 0.085662976f), t43, 0.030445365f), t43, 0.03209764f);
+    const float t46 = t41 * fmaf(t44, t42, fmaf(t45, t43, 1.0000004f));
+    const float t47 = t11 ? spherecap_inline_min(t46, 1.0f) : t46;
+    const float t48 = t24 * t47;
+    const float t49 = 2.0f - t48;
+    const float t50 = t47 * t49;
+    const float t51 = sqrtf(t50);
+    float zenith, side, cosine, t52, t53;
+    if (t11) {
+        const float t54 = t19 - t20 < 0.0f ? t48 : t49;
+        const float t55 = t50 * t14;
         if (t5) {
-            const float t58 = light->height * (1.0f - t57);
-            const float t59 = sqrtf(light->height * (2.0f - t58));
-            zenith = (t56 - 1.0f) * t59;
-            const float t60 = 1.0f - t58;
-            t55 = fmaf(light->elevation_sin, t60, light->elevation_cos * zenith);
-            t54 = fmaf(light->elevation_cos, t60, -(light->elevation_sin * zenith));
-            side = t53 * t15 * t59;
-            cosine = t55 * light->on_surface;
+            const float t56 = light->height * (1.0f - t55);
+            const float t57 = sqrtf(light->height * (2.0f - t56));
+            zenith = (t54 - 1.0f) * t57;
+            const float t58 = 1.0f - t56;
+            t53 = fmaf(light->elevation_sin, t58, light->elevation_cos * zenith);
+            t52 = fmaf(light->elevation_cos, t58, -(light->elevation_sin * zenith));
+            side = t51 * t13 * t57;
+            cosine = t53 * light->on_surface;
         } else {
-            const float t61 = 1.0f - t56;
-            const float t62 = spherecap_inline_max(fmaf(light->climb, t56, -light->rise), 0.0f);
-            t55 = sqrtf(fmaf(t62, t62, light->radius_sin * light->radius_sin * t57));
-            const float t63 = t1 * light->radius_cos;
-            const float t64 = fmaf(light->elevation_cos * t61, fmaf(light->climb, t61, -2.0f * t63), light->radius_sin * t57);
-            zenith = light->radius_sin * fmaf(light->elevation_cos, t64 / (t55 + t63), -(t1 * t1 * t61));
-            t54 = fmaf(light->half_axis, t61, light->middle);
-            side = light->radius_sin * t53 * t15;
-            cosine = t55;
+            const float t59 = 1.0f - t54;
+            const float t60 = spherecap_inline_max(fmaf(light->climb, t54, -light->rise), 0.0f);
+            t53 = sqrtf(fmaf(t60, t60, light->radius_sin * light->radius_sin * t55));
+            const float t61 = t1 * light->radius_cos;
+            const float t62 = fmaf(light->elevation_cos * t59, fmaf(light->climb, t59, -2.0f * t61), light->radius_sin * t55);
+            zenith = light->radius_sin * fmaf(light->elevation_cos, t62 / (t53 + t61), -(t1 * t1 * t59));
+            t52 = fmaf(light->half_axis, t59, light->middle);
+            side = light->radius_sin * t51 * t13;
+            cosine = t53;
         }
     } else {
-        cosine = t53 * t23;
-        t54 = 1.0f - t50;
-        zenith = fmaf(light->elevation_cos, cosine, -((t11 ? -t1 : t1) * t54));
-        side = t53 * t15;
-        t55 = cosine;
+        cosine = t51 * t21;
+        t52 = 1.0f - t48;
+        zenith = fmaf(light->elevation_cos, cosine, -((t9 ? -t1 : t1) * t52));
+        side = t51 * t13;
+        t53 = cosine;
     }
-    const float t65 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
-    const float t66 = 0.0f < cosine ? light->inv_above : 0.0f;
-    const float t67 = light->defensive_share * light->inv_solid_angle;
-    const float t68 = spherecap_inline_min(t67 / spherecap_inline_max(t65, 1.1754944e-38f), 3.4028235e38f);
-    const float t69 = fmaf(zenith, zenith, side * side);
-    const float t70 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t69), 0.0f);
-    const float t71 = sqrtf(t70);
-    const float t72 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t70));
-    const float t73 = light->radius_cos * light->radius_cos / (t72 + t71);
-    const float t74 = 1.0f / light->radius_sin;
-    const float t75 = t73 * t74;
-    const float t76 = -fmaf(t72, t71, t69) * t74;
-    const float t77 = t75 * zenith;
-    const float t78 = t75 * side;
-    const float t79 = fmaf(light->third_axis[0], t54, fmaf(light->sideways[0], side, light->up[0] * t55));
-    const float t80 = fmaf(light->third_axis[1], t54, fmaf(light->sideways[1], side, light->up[1] * t55));
-    const float t81 = fmaf(light->third_axis[2], t54, fmaf(light->sideways[2], side, light->up[2] * t55));
-    const float t82 = fmaf(light->elevation_cos, t76, -(light->elevation_sin * t77));
-    const float t83 = fmaf(light->elevation_sin, t76, light->elevation_cos * t77);
-    const float t84 = fmaf(light->third_axis[0], t82, fmaf(light->sideways[0], t78, light->up[0] * t83));
-    const float t85 = fmaf(light->third_axis[1], t82, fmaf(light->sideways[1], t78, light->up[1] * t83));
-    const float t86 = fmaf(light->third_axis[2], t82, fmaf(light->sideways[2], t78, light->up[2] * t83));
+    const float t63 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
+    const float t64 = 0.0f < cosine ? light->inv_above : 0.0f;
+    const float t65 = light->share * light->inv_solid_angle;
+    const float t66 = spherecap_inline_min(t65 / spherecap_inline_max(t63, 1.1754944e-38f), 3.4028235e38f);
+    const float t67 = t2 ? spherecap_inline_min(fmaf(t64, light->rest, t66), 3.4028235e38f) : t64;
+    const float t68 = fmaf(zenith, zenith, side * side);
+    const float t69 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t68), 0.0f);
+    const float t70 = sqrtf(t69);
+    const float t71 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t69));
+    const float t72 = light->radius_cos * light->radius_cos / (t71 + t70);
+    const float t73 = 1.0f / light->radius_sin;
+    const float t74 = t72 * t73;
+    const float t75 = -fmaf(t71, t70, t68) * t73;
+    const float t76 = t74 * zenith;
+    const float t77 = t74 * side;
+    const float t78 = fmaf(light->third_axis[0], t52, fmaf(light->sideways[0], side, light->up[0] * t53));
+    const float t79 = fmaf(light->third_axis[1], t52, fmaf(light->sideways[1], side, light->up[1] * t53));
+    const float t80 = fmaf(light->third_axis[2], t52, fmaf(light->sideways[2], side, light->up[2] * t53));
+    const float t81 = fmaf(light->elevation_cos, t75, -(light->elevation_sin * t76));
+    const float t82 = fmaf(light->elevation_sin, t75, light->elevation_cos * t76);
+    const float t83 = fmaf(light->third_axis[0], t81, fmaf(light->sideways[0], t77, light->up[0] * t82));
+    const float t84 = fmaf(light->third_axis[1], t81, fmaf(light->sideways[1], t77, light->up[1] * t82));
+    const float t85 = fmaf(light->third_axis[2], t81, fmaf(light->sideways[2], t77, light->up[2] * t82));
     const spherecap_inline_sample result = {
-        {t79, t80, t81}, t73 * light->distance, {t84, t85, t86}, cosine,
-        t2 ? fmaf(t66, t6 * t65, t67) : t66 * t65,
-        t2 ? spherecap_inline_min(fmaf(t66, t6, t68), 3.4028235e38f) : t66
+        {t78, t79, t80}, t72 * light->distance, {t83, t84, t85}, cosine,
+        t2 ? fmaf(t64, light->rest * t63, t65) : t64 * t63, t67
     };
     return result;
 }
@@ -902,11 +902,10 @@ static inline float spherecap_inline_front_pdf_direction(const spherecap_inline_
     const float t9 = t7 ? 1.0f : fmaf(light->sideways[0], direction[0], t5);
     const float t10 = spherecap_inline_min(fabsf(t6), 3.4028235e38f);
     const float t11 = 0.0f < t6 ? light->inv_above : 0.0f;
-    const float t12 = fmaf(t11, (1.0f - light->defensive_share) * t10, light->defensive_share * light->inv_solid_angle);
+    const float t12 = 0.0f < light->share ? fmaf(t11, light->rest * t10, light->share * light->inv_solid_angle) : t11 * t10;
     const bool t13 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
     const float t14 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light->defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
-    return t15;
+    return (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? t12 : 0.0f) : 0.0f;
 }
 
 static inline float spherecap_inline_front_pdf_on_sphere(const spherecap_inline_front_light *light, const float direction[3])
@@ -917,10 +916,9 @@ static inline float spherecap_inline_front_pdf_on_sphere(const spherecap_inline_
     const float t1 = fmaf(light->normal[0], direction[0], fmaf(light->normal[1], direction[1], light->normal[2] * direction[2]));
     const float t2 = spherecap_inline_min(fabsf(t1), 3.4028235e38f);
     const float t3 = 0.0f < t1 ? light->inv_above : 0.0f;
-    const float t4 = fmaf(t3, (1.0f - light->defensive_share) * t2, light->defensive_share * light->inv_solid_angle);
+    const float t4 = 0.0f < light->share ? fmaf(t3, light->rest * t2, light->share * light->inv_solid_angle) : t3 * t2;
     const float t5 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light->defensive_share ? t4 : t3 * t2) : 0.0f;
-    return t6;
+    return (0.998001f <= t5 && t5 <= 1.002001f) ? t4 : 0.0f;
 }
 
 static inline float spherecap_inline_front_importance(const float normal[3], const float centre[3], float radius, float defensive, float strength)
@@ -988,10 +986,12 @@ typedef struct spherecap_inline_both_light {
     float cut;
     float rise;
     float defensive_share;
+    float defensive_rest;
     float requested;
     float inv_above;
     float inv_below;
     float sides_share;
+    float sides_rest;
     float third_axis[3];
     float height;
     float inv_solid_angle;
@@ -1246,15 +1246,18 @@ static inline spherecap_inline_both_light spherecap_inline_both_prepare(const fl
     const bool t155 = 0.0f < defensive_share;
     const float t156 = (0.0f < radius_cos && t100) ? t95 / (1.0f + radius_cos) : 0.0f;
     const float inv_solid_angle = t155 ? (0.0f < t156 ? 0.15915494f / t156 : 0.0f) : 0.0f;
-    const float sides_share = 0.0f < inv_below ? (0.0f < inv_above ? (t97 ? 1.0f - t110 : t110) : 0.0f) : 1.0f;
-    const bool t157 = 0.0f < inv_solid_angle && t155;
-    const bool t158 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t104 || t157);
+    const float t157 = 1.0f - t110;
+    const bool t158 = 0.0f < inv_below;
+    const bool t159 = 0.0f < inv_above;
+    const bool t160 = 0.0f < inv_solid_angle && t155;
+    const bool t161 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (t104 || t160);
     const spherecap_inline_both_light result = {
-        t158, t158 ? t156 * 6.2831855f : 0.0f, t158 ? projected_above : 0.0f,
+        t161, t161 ? t156 * 6.2831855f : 0.0f, t161 ? projected_above : 0.0f,
         {t13 * t93, t14 * t93, t15 * t93}, {sideways_x, sideways_y, sideways_z},
         {normal_x, normal_y, normal_z}, {up_x, up_y, up_z}, on_surface, distance, radius_sin, radius_cos,
-        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, defensive, inv_above,
-        inv_below, sides_share,
+        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, 1.0f - defensive_share,
+        defensive, inv_above, inv_below, t158 ? (t159 ? (t97 ? t157 : t110) : 0.0f) : 1.0f,
+        t159 ? (t158 ? (t97 ? t110 : t157) : 0.0f) : 1.0f,
         {fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))},
         t155 ? t156 : 0.0f, inv_solid_angle, t106 ? t107 : 0.0f, t106 ? 1.0f / (1.0f - t107) : 1.0f,
         t106 ? t108 * t108 * t108 * t109 : 0.0f, elevation_cos * radius_cos, radius_sin * t94, climb, b_0,
@@ -1274,130 +1277,128 @@ static inline spherecap_inline_sample spherecap_inline_both_sample(const spherec
     const float t4 = spherecap_inline_min(spherecap_inline_max(u0, 5.9604645e-8f), 0.99999994f);
     const float t5 = spherecap_inline_min(spherecap_inline_max(u1, 5.9604645e-8f), 0.99999994f);
     const bool t6 = t4 < light->defensive_share && t3;
-    const float t7 = 1.0f - light->defensive_share;
-    const float t8 = (t6 ? t4 : t4 - light->defensive_share) / (t6 ? light->defensive_share : t7);
-    const float t9 = spherecap_inline_min(spherecap_inline_max(t8, 5.9604645e-8f), 0.99999994f);
-    const float t10 = 0.0f < light->requested ? t9 : t4;
-    const bool t11 = t10 < light->sides_share || t6;
-    const float t12 = 1.0f - light->sides_share;
-    const float t13 = (t11 ? t10 : t10 - light->sides_share) / (t11 ? light->sides_share : t12);
-    const float t14 = spherecap_inline_min(spherecap_inline_max(t13, 5.9604645e-8f), 0.99999994f);
-    const bool t15 = t11 && t2;
-    const bool t16 = !t11 && !t2;
-    const float t17 = t6 ? t10 : t14;
-    const bool t18 = !(0.0f < light->tau) || t6;
-    const bool t19 = !(t15 || t16) && !t18;
-    const bool t20 = light->crescent_share <= t17 && !t19;
-    const bool t21 = t18 || t20;
-    const float t22 = 1.0f - t5;
-    const float t23 = t5 - t22;
-    const float t24 = 4.0f * t5 * t22;
-    const float t25 = spherecap_inline_max((t17 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-    const float t26 = t18 ? t17 : spherecap_inline_min(t25, 0.99999994f);
-    const float t27 = t18 ? 0.0f : light->beyond;
-    const float t28 = 3.1415927f - t27;
-    const float t29 = fmaf(t26, t28, t27);
-    const float t30 = (1.0f - t26) * t28;
-    float t32, t33, t34;
-    float t31 = 0.0f;
-    if (t21) {
-        t32 = spherecap_inline_min(t29, t30) * 0.53033006f;
-        t33 = 1.0f;
-        t34 = 1.0f;
+    const float t7 = (t6 ? t4 : t4 - light->defensive_share) / (t6 ? light->defensive_share : light->defensive_rest);
+    const float t8 = spherecap_inline_min(spherecap_inline_max(t7, 5.9604645e-8f), 0.99999994f);
+    const float t9 = 0.0f < light->requested ? t8 : t4;
+    const bool t10 = t9 < light->sides_share || t6;
+    const float t11 = (t10 ? t9 : t9 - light->sides_share) / (t10 ? light->sides_share : light->sides_rest);
+    const float t12 = spherecap_inline_min(spherecap_inline_max(t11, 5.9604645e-8f), 0.99999994f);
+    const bool t13 = t10 && t2;
+    const bool t14 = !t10 && !t2;
+    const float t15 = t6 ? t9 : t12;
+    const bool t16 = !(0.0f < light->tau) || t6;
+    const bool t17 = !(t13 || t14) && !t16;
+    const bool t18 = light->crescent_share <= t15 && !t17;
+    const bool t19 = t16 || t18;
+    const float t20 = 1.0f - t5;
+    const float t21 = t5 - t20;
+    const float t22 = 4.0f * t5 * t20;
+    const float t23 = spherecap_inline_max((t15 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t24 = t16 ? t15 : spherecap_inline_min(t23, 0.99999994f);
+    const float t25 = t16 ? 0.0f : light->beyond;
+    const float t26 = 3.1415927f - t25;
+    const float t27 = fmaf(t24, t26, t25);
+    const float t28 = (1.0f - t24) * t26;
+    float t30, t31, t32;
+    float t29 = 0.0f;
+    if (t19) {
+        t30 = spherecap_inline_min(t27, t28) * 0.53033006f;
+        t31 = 1.0f;
+        t32 = 1.0f;
     } else {
-        const float t35 = sqrtf(t24);
-        const float t36 = fmaf(fmaf(fmaf(light->b_6, t24, light->b_4), t24, light->b_2), t24, light->b_0);
-        const float t37 = t35 * fmaf(fmaf(fmaf(light->b_5, t24, light->b_3), t24, light->b_1), t35, t36);
-        const float t38 = sqrtf(fmaf(t23, t23, t37 * t37));
-        const float t39 = light->tau * t37;
-        t34 = t19 ? fmaf(t23, t23, t39 * t39) : 1.0f;
-        const float t40 = t19 ? fmaf(light->kappa, t37, t38) * fmaf(light->cut, t37, t38) : light->crescent_share;
-        const float t41 = (t19 ? light->width : t17) / t40;
-        const float t42 = spherecap_inline_min(spherecap_inline_max(t41, 5.9604645e-8f), 0.99999994f);
-        const float t43 = t19 ? t41 : light->width;
-        const float t44 = t34 * t43;
-        const float t45 = t44 * t44;
-        const float t46 = fmaf(fmaf(fmaf(-0.00060778117f, t45, -0.0027203285f), t45, -0.10000902f), t44, fmaf(fmaf(1.0676054e-5f, t45, -0.011332183f), t45, 1.0000001f));
-        t31 = t19 ? t39 : t35;
-        t32 = t19 ? t17 : t42;
-        t33 = t43 * t46;
+        const float t33 = sqrtf(t22);
+        const float t34 = fmaf(fmaf(fmaf(light->b_6, t22, light->b_4), t22, light->b_2), t22, light->b_0);
+        const float t35 = t33 * fmaf(fmaf(fmaf(light->b_5, t22, light->b_3), t22, light->b_1), t33, t34);
+        const float t36 = sqrtf(fmaf(t21, t21, t35 * t35));
+        const float t37 = light->tau * t35;
+        t32 = t17 ? fmaf(t21, t21, t37 * t37) : 1.0f;
+        const float t38 = t17 ? fmaf(light->kappa, t35, t36) * fmaf(light->cut, t35, t36) : light->crescent_share;
+        const float t39 = (t17 ? light->width : t15) / t38;
+        const float t40 = spherecap_inline_min(spherecap_inline_max(t39, 5.9604645e-8f), 0.99999994f);
+        const float t41 = t17 ? t39 : light->width;
+        const float t42 = t32 * t41;
+        const float t43 = t42 * t42;
+        const float t44 = fmaf(fmaf(fmaf(-0.00060778117f, t43, -0.0027203285f), t43, -0.10000902f), t42, fmaf(fmaf(1.0676054e-5f, t43, -0.011332183f), t43, 1.0000001f));
+        t29 = t17 ? t37 : t33;
+        t30 = t17 ? t15 : t40;
+        t31 = t41 * t44;
     }
-    const float t47 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t32), -0.33333334f, 1419900500.0f));
-    const float t48 = fmaf(-(t32 * t47), t47 * t47, 1.0f);
-    const float t49 = t48 * t48;
-    const float t50 = fmaf(fmaf(fmaf(0.110958695f, t49, 0.14403293f), t49, 0.22222222f), t48, fmaf(fmaf(0.12482853f, t49, 0.17283951f), t49, 0.33333334f));
-    const float t51 = t33 * (t32 * fmaf(t47, t48 * t50, t47));
-    const float t52 = t51 * t34;
-    const float t53 = t52 * t52;
-    const float t54 = fmaf(fmaf(fmaf(-0.063446075f, t53, -0.056249518f), t53, 0.0074712755f), t53, 0.09996679f);
-    const float t55 = fmaf(fmaf(fmaf(0.022114987f, t53, 0.085662976f), t53, 0.030445365f), t53, 0.03209764f);
-    const float t56 = t51 * fmaf(t54, t52, fmaf(t55, t53, 1.0000004f));
-    const float t57 = t21 ? spherecap_inline_min(t56, 1.0f) : t56;
-    const float t58 = t34 * t57;
-    const float t59 = 2.0f - t58;
-    const float t60 = t57 * t59;
-    const float t61 = sqrtf(t60);
-    float side, t62, t63, t64, t65;
-    if (t21) {
-        const float t66 = t29 - t30 < 0.0f ? t58 : t59;
-        const float t67 = t60 * t24;
+    const float t45 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t30), -0.33333334f, 1419900500.0f));
+    const float t46 = fmaf(-(t30 * t45), t45 * t45, 1.0f);
+    const float t47 = t46 * t46;
+    const float t48 = fmaf(fmaf(fmaf(0.110958695f, t47, 0.14403293f), t47, 0.22222222f), t46, fmaf(fmaf(0.12482853f, t47, 0.17283951f), t47, 0.33333334f));
+    const float t49 = t31 * (t30 * fmaf(t45, t46 * t48, t45));
+    const float t50 = t49 * t32;
+    const float t51 = t50 * t50;
+    const float t52 = fmaf(fmaf(fmaf(-0.063446075f, t51, -0.056249518f), t51, 0.0074712755f), t51, 0.09996679f);
+    const float t53 = fmaf(fmaf(fmaf(0.022114987f, t51, 0.085662976f), t51, 0.030445365f), t51, 0.03209764f);
+    const float t54 = t49 * fmaf(t52, t50, fmaf(t53, t51, 1.0000004f));
+    const float t55 = t19 ? spherecap_inline_min(t54, 1.0f) : t54;
+    const float t56 = t32 * t55;
+    const float t57 = 2.0f - t56;
+    const float t58 = t55 * t57;
+    const float t59 = sqrtf(t58);
+    float side, t60, t61, t62, t63;
+    if (t19) {
+        const float t64 = t27 - t28 < 0.0f ? t56 : t57;
+        const float t65 = t58 * t22;
         if (t6) {
-            const float t68 = light->height * (1.0f - t67);
-            const float t69 = sqrtf(light->height * (2.0f - t68));
-            t64 = (t66 - 1.0f) * t69;
-            const float t70 = 1.0f - t68;
-            t63 = fmaf(light->elevation_sin, t70, light->elevation_cos * t64);
-            t62 = fmaf(light->elevation_cos, t70, -(light->elevation_sin * t64));
-            side = t61 * t23 * t69;
-            t65 = t63 * light->on_surface;
+            const float t66 = light->height * (1.0f - t65);
+            const float t67 = sqrtf(light->height * (2.0f - t66));
+            t62 = (t64 - 1.0f) * t67;
+            const float t68 = 1.0f - t66;
+            t61 = fmaf(light->elevation_sin, t68, light->elevation_cos * t62);
+            t60 = fmaf(light->elevation_cos, t68, -(light->elevation_sin * t62));
+            side = t59 * t21 * t67;
+            t63 = t61 * light->on_surface;
         } else {
-            const float t71 = 1.0f - t66;
-            const float t72 = spherecap_inline_max(fmaf(light->climb, t66, -light->rise), 0.0f);
-            t63 = sqrtf(fmaf(t72, t72, light->radius_sin * light->radius_sin * t67));
-            const float t73 = t1 * light->radius_cos;
-            const float t74 = fmaf(light->elevation_cos * t71, fmaf(light->climb, t71, -2.0f * t73), light->radius_sin * t67);
-            t64 = light->radius_sin * fmaf(light->elevation_cos, t74 / (t63 + t73), -(t1 * t1 * t71));
-            t62 = fmaf(light->half_axis, t71, light->middle);
-            side = light->radius_sin * t61 * t23;
-            t65 = t63;
+            const float t69 = 1.0f - t64;
+            const float t70 = spherecap_inline_max(fmaf(light->climb, t64, -light->rise), 0.0f);
+            t61 = sqrtf(fmaf(t70, t70, light->radius_sin * light->radius_sin * t65));
+            const float t71 = t1 * light->radius_cos;
+            const float t72 = fmaf(light->elevation_cos * t69, fmaf(light->climb, t69, -2.0f * t71), light->radius_sin * t65);
+            t62 = light->radius_sin * fmaf(light->elevation_cos, t72 / (t61 + t71), -(t1 * t1 * t69));
+            t60 = fmaf(light->half_axis, t69, light->middle);
+            side = light->radius_sin * t59 * t21;
+            t63 = t61;
         }
     } else {
-        t63 = t61 * t31;
-        t62 = 1.0f - t58;
-        side = t61 * t23;
-        t64 = fmaf(light->elevation_cos, t63, -((t19 ? -t1 : t1) * t62));
-        t65 = t63;
+        t61 = t59 * t29;
+        t60 = 1.0f - t56;
+        side = t59 * t21;
+        t62 = fmaf(light->elevation_cos, t61, -((t17 ? -t1 : t1) * t60));
+        t63 = t61;
     }
-    const float t75 = t11 ? 1.0f : -1.0f;
-    const float zenith = t64 * t75;
-    const float cosine = t65 * t75;
-    const float t76 = t63 * t75;
-    const float t77 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
-    const float t78 = 0.0f < cosine ? light->inv_above * light->sides_share : cosine < 0.0f ? light->inv_below * t12 : 0.0f;
-    const float t79 = light->defensive_share * light->inv_solid_angle;
-    const float t80 = spherecap_inline_min(t79 / spherecap_inline_max(t77, 1.1754944e-38f), 3.4028235e38f);
-    const float t81 = fmaf(zenith, zenith, side * side);
-    const float t82 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t81), 0.0f);
-    const float t83 = sqrtf(t82);
-    const float t84 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t82));
-    const float t85 = light->radius_cos * light->radius_cos / (t84 + t83);
-    const float t86 = 1.0f / light->radius_sin;
-    const float t87 = t85 * t86;
-    const float t88 = -fmaf(t84, t83, t81) * t86;
-    const float t89 = t87 * zenith;
-    const float t90 = t87 * side;
-    const float t91 = fmaf(light->third_axis[0], t62, fmaf(light->sideways[0], side, light->up[0] * t76));
-    const float t92 = fmaf(light->third_axis[1], t62, fmaf(light->sideways[1], side, light->up[1] * t76));
-    const float t93 = fmaf(light->third_axis[2], t62, fmaf(light->sideways[2], side, light->up[2] * t76));
-    const float t94 = fmaf(light->elevation_cos, t88, -(light->elevation_sin * t89));
-    const float t95 = fmaf(light->elevation_sin, t88, light->elevation_cos * t89);
-    const float t96 = fmaf(light->third_axis[0], t94, fmaf(light->sideways[0], t90, light->up[0] * t95));
-    const float t97 = fmaf(light->third_axis[1], t94, fmaf(light->sideways[1], t90, light->up[1] * t95));
-    const float t98 = fmaf(light->third_axis[2], t94, fmaf(light->sideways[2], t90, light->up[2] * t95));
+    const float t73 = t10 ? 1.0f : -1.0f;
+    const float zenith = t62 * t73;
+    const float cosine = t63 * t73;
+    const float t74 = t61 * t73;
+    const float t75 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
+    const float t76 = 0.0f < cosine ? light->inv_above * light->sides_share : cosine < 0.0f ? light->inv_below * light->sides_rest : 0.0f;
+    const float t77 = light->defensive_share * light->inv_solid_angle;
+    const float t78 = spherecap_inline_min(t77 / spherecap_inline_max(t75, 1.1754944e-38f), 3.4028235e38f);
+    const float t79 = spherecap_inline_min(fmaf(t76, light->defensive_rest, t78), 3.4028235e38f);
+    const float t80 = fmaf(zenith, zenith, side * side);
+    const float t81 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t80), 0.0f);
+    const float t82 = sqrtf(t81);
+    const float t83 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t81));
+    const float t84 = light->radius_cos * light->radius_cos / (t83 + t82);
+    const float t85 = 1.0f / light->radius_sin;
+    const float t86 = t84 * t85;
+    const float t87 = -fmaf(t83, t82, t80) * t85;
+    const float t88 = t86 * zenith;
+    const float t89 = t86 * side;
+    const float t90 = fmaf(light->third_axis[0], t60, fmaf(light->sideways[0], side, light->up[0] * t74));
+    const float t91 = fmaf(light->third_axis[1], t60, fmaf(light->sideways[1], side, light->up[1] * t74));
+    const float t92 = fmaf(light->third_axis[2], t60, fmaf(light->sideways[2], side, light->up[2] * t74));
+    const float t93 = fmaf(light->elevation_cos, t87, -(light->elevation_sin * t88));
+    const float t94 = fmaf(light->elevation_sin, t87, light->elevation_cos * t88);
+    const float t95 = fmaf(light->third_axis[0], t93, fmaf(light->sideways[0], t89, light->up[0] * t94));
+    const float t96 = fmaf(light->third_axis[1], t93, fmaf(light->sideways[1], t89, light->up[1] * t94));
+    const float t97 = fmaf(light->third_axis[2], t93, fmaf(light->sideways[2], t89, light->up[2] * t94));
     const spherecap_inline_sample result = {
-        {t91, t92, t93}, t85 * light->distance, {t96, t97, t98}, cosine,
-        t3 ? fmaf(t78, t7 * t77, t79) : t78 * t77,
-        t3 ? spherecap_inline_min(fmaf(t78, t7, t80), 3.4028235e38f) : t78
+        {t90, t91, t92}, t84 * light->distance, {t95, t96, t97}, cosine,
+        t3 ? fmaf(t76, light->defensive_rest * t75, t77) : t76 * t75, t3 ? t79 : t76
     };
     return result;
 }
@@ -1423,8 +1424,8 @@ static inline float spherecap_inline_both_pdf_direction(const spherecap_inline_b
     const float t8 = t7 ? 1.0f : fmaf(t2, direction[0], fmaf(t3, direction[1], t4 * direction[2]));
     const float t9 = t7 ? 1.0f : fmaf(light->sideways[0], direction[0], t5);
     const float t10 = spherecap_inline_min(fabsf(t6), 3.4028235e38f);
-    const float t11 = 0.0f < t6 ? light->inv_above * light->sides_share : t6 < 0.0f ? light->inv_below * (1.0f - light->sides_share) : 0.0f;
-    const float t12 = fmaf(t11, (1.0f - light->defensive_share) * t10, light->defensive_share * light->inv_solid_angle);
+    const float t11 = 0.0f < t6 ? light->inv_above * light->sides_share : t6 < 0.0f ? light->inv_below * light->sides_rest : 0.0f;
+    const float t12 = fmaf(t11, light->defensive_rest * t10, light->defensive_share * light->inv_solid_angle);
     const bool t13 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
     const float t14 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
     const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light->defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
@@ -1438,8 +1439,8 @@ static inline float spherecap_inline_both_pdf_on_sphere(const spherecap_inline_b
     }
     const float t1 = fmaf(light->normal[0], direction[0], fmaf(light->normal[1], direction[1], light->normal[2] * direction[2]));
     const float t2 = spherecap_inline_min(fabsf(t1), 3.4028235e38f);
-    const float t3 = 0.0f < t1 ? light->inv_above * light->sides_share : t1 < 0.0f ? light->inv_below * (1.0f - light->sides_share) : 0.0f;
-    const float t4 = fmaf(t3, (1.0f - light->defensive_share) * t2, light->defensive_share * light->inv_solid_angle);
+    const float t3 = 0.0f < t1 ? light->inv_above * light->sides_share : t1 < 0.0f ? light->inv_below * light->sides_rest : 0.0f;
+    const float t4 = fmaf(t3, light->defensive_rest * t2, light->defensive_share * light->inv_solid_angle);
     const float t5 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
     const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light->defensive_share ? t4 : t3 * t2) : 0.0f;
     return t6;

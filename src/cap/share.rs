@@ -2,16 +2,16 @@
 
 use super::Cap;
 use crate::disk::shape_and_difference;
-use crate::lane::{branch, lit, Lane};
+use crate::lane::{branch, lit, Blend, Lane};
 use core::f64::consts::PI;
 
 impl<L: Lane> Cap<L> {
-    /// Share of the cap's solid angle that lies above the horizon: docs/mathematics.md, section 10.
+    /// Shares of the cap's solid angle that lie above the horizon and below it: docs/mathematics.md, section 10.
     ///
     /// Of the crescent's over the whole cap's it is
     /// `tau^3 (1 + v)/pi [kappa M H[kappa, e] + (H(e) (M - kappa^2) + kappa) / X^2]` with `M = (1 - t_x)/s^2 = tau^2 / (X^2 (1 + t_x))`.
     #[inline(always)]
-    pub(crate) fn share_above(&self) -> L {
+    pub(crate) fn shares(&self) -> [L; 2] {
         let one = L::lit(1.0);
         let centre_above = L::lit(0.0).lt(self.elevation_sin);
         let crescent_share = branch!(
@@ -28,6 +28,7 @@ impl<L: Lane> Cap<L> {
             },
             L::lit(0.0)
         );
-        L::select(centre_above, one - crescent_share, crescent_share)
+        let larger = one - crescent_share;
+        Blend::blend(centre_above, [larger, crescent_share], [crescent_share, larger])
     }
 }

@@ -86,7 +86,7 @@ impl<L: Lane> Sampler<L> {
             {
                 let plain = self.defensive.share * self.whole.inv_solid_angle;
                 let plain_projected = (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX));
-                let rest = self.defensive.rest();
+                let rest = self.defensive.rest;
                 (weight.fma(rest * cosine, plain), weight.fma(rest, plain_projected).min(L::lit(L::MAX)))
             },
             (weight * cosine, weight)
@@ -102,7 +102,7 @@ impl<L: Lane> Sampler<L> {
         let weight = match self.hemispheres {
             Hemispheres::Front => L::select(above, self.inv_above, zero),
             Hemispheres::Both => {
-                let below = L::select(below, self.inv_below * self.sides.rest(), zero);
+                let below = L::select(below, self.inv_below * self.sides.rest, zero);
                 L::select(above, self.inv_above * self.sides.share, below)
             }
         };

@@ -18,8 +18,8 @@ use crate::offset::Offset;
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(super) struct Ellipse<L> {
-    /// On the centre's side, the crescent beyond the chord `x = t_x` or the ellipse: without a crescent in case 1.
-    pub crescent: Split<L>,
+    /// On the centre's side, probability of the crescent beyond the chord `x = t_x`: 0 in case 1.
+    pub crescent_share: L,
     /// Reciprocal of the ellipse's share.
     inv_rest: L,
     /// Area of the segment that the horizon cuts off the unit disk.
@@ -30,21 +30,14 @@ pub(super) struct Ellipse<L> {
     /// `s X`: the height of the boundary circle's middle over its lower end.
     climb: L,
 }
-broadcast_fields!(Ellipse { crescent, inv_rest, beyond, middle, half_axis, climb });
+broadcast_fields!(Ellipse { crescent_share, inv_rest, beyond, middle, half_axis, climb });
 
 impl<L: Lane> Ellipse<L> {
     /// For samplers that never use it.
     #[inline(always)]
     pub(super) fn unused() -> Self {
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
-        Self {
-            crescent: Split::none(),
-            inv_rest: one,
-            beyond: zero,
-            middle: zero,
-            half_axis: zero,
-            climb: zero,
-        }
+        Self { crescent_share: zero, inv_rest: one, beyond: zero, middle: zero, half_axis: zero, climb: zero }
     }
 
     /// For samplers that use it where it `is_cut`: the others are spared the work. `inv_area` is the reciprocal projected solid angle
@@ -59,14 +52,14 @@ impl<L: Lane> Ellipse<L> {
                 let share = c.t_y_cubed() * c.shape * inv_area;
                 // Sine of half the angle that the horizon cuts off the boundary circle: tau / X.
                 let half_sine = c.t_y / cap.radius_sin;
-                let inv_rest = one / Split { share }.rest();
+                let inv_rest = one / Split::new(share).rest;
                 (share, inv_rest, half_sine * half_sine * half_sine * c.shape_cut())
             },
             (zero, one, zero)
         );
         let (s, x, z) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
         Self {
-            crescent: Split { share },
+            crescent_share: share,
             inv_rest,
             beyond,
             middle: x * cap.radius_cos,
@@ -91,10 +84,16 @@ impl<L: Lane> Ellipse<L> {
         Place { along, up: cosine, offset: Offset { zenith, side, cosine } }
     }
 
+    /// The choice between that crescent and the ellipse.
+    #[inline(always)]
+    pub(super) fn split(&self) -> Split<L> {
+        Split::new(self.crescent_share)
+    }
+
     /// What is left of the random number that chose the ellipse: [`Split::left_over`], with the division done in advance.
     #[inline(always)]
     pub(super) fn left_over(&self, u0: L) -> L {
-        interior((u0 - self.crescent.share) * self.inv_rest)
+        interior((u0 - self.crescent_share) * self.inv_rest)
     }
 
     /// Whether a direction on the centre's side is on the ellipse's side of the chord: always, without a cut.

@@ -192,7 +192,7 @@ impl<L: Lane> Sampler<L> {
     ) -> Place<L> {
         let cap = &self.cap;
         let one = L::lit(1.0);
-        let share = self.ellipse.crescent.share;
+        let share = self.ellipse.crescent_share;
         let is_disk = is_whole | (!is_crescent & share.le(u0));
         let is_segment = !is_crescent;
         let (across, across_complement) = symmetric(u1);

@@ -59,7 +59,7 @@ impl<L: Lane> Sampler<L> {
     /// The inverse of [`Sampler::sample_part`], but for its plain part.
     #[inline(always)]
     fn invert_side(&self, centre_side: L::Mask, offset: Offset<L>) -> [L; 2] {
-        let split = self.ellipse.crescent;
+        let split = self.ellipse.split();
         // In case 2 the chord x = t_x divides them: x = X a - Z zenith.
         let cap = &self.cap;
         let in_ellipse = centre_side & self.ellipse.contains(cap, offset);

@@ -161,24 +161,27 @@ impl<L: Lane> Sampler<L> {
         } else {
             cap.towards_zenith()
         };
-        let share = match hemispheres {
-            Hemispheres::Front => L::lit(1.0),
+        let one = L::lit(1.0);
+        let [share, rest] = match hemispheres {
+            Hemispheres::Front => [one, zero],
             // A side with nothing on it (that can be weighed) gets no samples.
-            Hemispheres::Both => L::select(
-                zero.lt(inv_below),
-                L::select(zero.lt(inv_above), cap.share_above(), zero),
-                L::lit(1.0),
-            ),
+            Hemispheres::Both => {
+                let [above, below] = cap.shares();
+                let of = |own: L, inv_own: L, inv_other: L| {
+                    L::select(zero.lt(inv_other), L::select(zero.lt(inv_own), own, zero), one)
+                };
+                [of(above, inv_above, inv_below), of(below, inv_below, inv_above)]
+            }
         };
         Self {
             technique,
             hemispheres,
             cap,
-            defensive: Split { share: defensive },
+            defensive: Split::new(defensive),
             requested,
             inv_above,
             inv_below,
-            sides: Split { share },
+            sides: Split { share, rest },
             third_axis,
             whole,
             ellipse,

@@ -8,16 +8,17 @@ use crate::lane::{branch, broadcast_fields, lit, Lane};
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub(super) struct Split<L> {
-    /// Probability of the first part, in [0, 1].
+    /// Probabilities of the first part and of the second, in [0, 1]: each to its own precision, however small it is.
     pub share: L,
+    pub rest: L,
 }
-broadcast_fields!(Split { share });
+broadcast_fields!(Split { share, rest });
 
 impl<L: Lane> Split<L> {
-    /// Of which the second part is all.
+    /// With this share of the first part.
     #[inline(always)]
-    pub(super) fn none() -> Self {
-        Self { share: L::lit(0.0) }
+    pub(super) fn new(share: L) -> Self {
+        Self { share, rest: lit(1.0) - share }
     }
 
     /// Whether a random number chooses the first part.
@@ -26,23 +27,17 @@ impl<L: Lane> Split<L> {
         u.lt(self.share)
     }
 
-    /// Probability of the second part.
-    #[inline(always)]
-    pub(super) fn rest(self) -> L {
-        lit(1.0) - self.share
-    }
-
     /// What is left of a random number in the part that it chose: off the ends of the unit interval.
     #[inline(always)]
     pub(super) fn left_over(self, u: L, is_first: L::Mask) -> L {
-        let (part, whole) = branch!(is_first, (u, self.share), (u - self.share, self.rest()));
+        let (part, whole) = branch!(is_first, (u, self.share), (u - self.share, self.rest));
         interior(part / whole)
     }
 
     /// The random numbers that leave `u` in the first part and in the second.
     #[inline(always)]
     pub(super) fn numbers(self, u: L) -> [L; 2] {
-        [u * self.share, self.rest().fma(u, self.share)]
+        [u * self.share, self.rest.fma(u, self.share)]
     }
 }
 
