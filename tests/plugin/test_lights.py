@@ -246,7 +246,10 @@ def bumps(bsdf):
 BESIDE = {
     "nothing": dict,
     "other emitters": lambda: {
-        "sky": {"type": "constant", "radiance": {"type": "rgb", "value": [0.02, 0.03, 0.05]}},
+        "sky": {
+            "type": "envmap",
+            "bitmap": mi.Bitmap(np.float32(np.linspace(0.01, 0.05, 96).reshape(4, 8, 3))),
+        },
         "point": {"type": "point", "position": [0.5, -1, 1.5], "intensity": {"type": "rgb", "value": 0.05}},
         "panel": {
             "type": "rectangle",
