@@ -242,9 +242,8 @@ fn the_inline_header_gives_the_bits_of_the_library() {
         println!(
             "{compiler}, fused: {same} have the same bits; densities by form are off by {worst:?} at most"
         );
-        // Three units in the last place. Of two sides the smaller one's share is what the other leaves of 1: worse the smaller
-        // it is, as in the library itself.
-        assert!(worst[0].max(worst[1]) < 3e-7 && worst[2] < 1e-5, "{compiler}");
+        // Three units in the last place; of `both` the share of a side adds its own.
+        assert!(worst[0].max(worst[1]) < 3e-7 && worst[2] < 6e-7, "{compiler}");
     }
 }
 

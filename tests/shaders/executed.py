@@ -89,10 +89,9 @@ def test_shaders_agree_with_the_library(device, language, tmp_path):
             kind = "hard" if hard else "ordinary"
             print(f"{language}, {name}, {kind}: samples' densities are off by {of_samples:.1e},")
             print(f"    those of directions by {of_directions:.1e}")
-            # The smaller side of `both` has the share that the larger leaves of 1.
-            # That is known to a rounding of 1: as in tests/source.rs.
-            assert of_samples < (1e-5 if form == 2 else 5e-6 if hard else 2e-6)
-            assert of_directions < (1e-5 if form == 2 else 5e-6)
+            # Of `both` the share of a side, a difference of two polynomials, adds its roundings.
+            assert of_samples < (5e-6 if hard else 3e-6 if form == 2 else 2e-6)
+            assert of_directions < 5e-6
         # Of what a light of that size could give: what all but set gives next to nothing.
         centre, radius = records[:, CENTRE].astype(np.float64), records[:, RADIUS].astype(np.float64)
         with np.errstate(all="ignore"):
