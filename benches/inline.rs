@@ -17,6 +17,7 @@ mod timing;
 
 use calls::Work;
 use scenes::{Random, Scene, CAPS, SEED};
+use spherecap as lane; // as `src/math.rs` calls it
 use spherecap::batch::Instructions;
 use spherecap::{Receiver, Sampler};
 use std::ffi::CString;
