@@ -269,7 +269,7 @@ hashes: ## Remake tests/data/hashes.txt from what the kernels give, where formul
 
 test-long: ## The random tests and the hashes, with many more inputs than in `make test`: about ten minutes.
 	SPHERECAP_TESTS=long cargo test --release --locked --lib hashes
-	SPHERECAP_TESTS=long cargo test --release --locked --test kernels strata::
+	SPHERECAP_TESTS=long cargo test --release --locked --test kernels -- strata:: approximate::
 	SPHERECAP_TESTS=long cargo test --release --locked --test c_abi numbers_of_every_kind
 
 fits: $(VENV)/installed ## Remake the fitted constants in src/fits.rs.
