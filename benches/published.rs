@@ -10,7 +10,7 @@
 mod math;
 
 use glam::Vec3;
-use math::inverse_cube_root;
+use math::two_thirds_power;
 use std::f32::consts::{FRAC_PI_2, PI};
 
 /// A prepared cap. Symbols are the paper's.
@@ -42,7 +42,7 @@ const QUINTIC: [f32; 6] = [0.655_748_3, 0.109_208_28, -0.201_337_03, 0.291_167, 
 fn chord<const CUBE_ROOT: bool>(area: f32) -> f32 {
     let near = area.min(PI - area).max(0.0);
     let quintic = QUINTIC.iter().rev().fold(0.0_f32, |value, &c| value.mul_add(near, c));
-    let power = if CUBE_ROOT { near * inverse_cube_root(near) } else { near.powf(2.0 / 3.0) };
+    let power = if CUBE_ROOT { two_thirds_power(near) } else { near.powf(2.0 / 3.0) };
     let x = 1.0 - power * quintic;
     if area < FRAC_PI_2 {
         x

@@ -38,17 +38,21 @@ pub struct Fits {
     /// P(k) = h / k, the inverse of k = h A(h), for h in [0, 1], in powers of k. Best in the relative error
     /// of the density of segments' heights h = k P(k) that samples with a uniform k^(3/2) have.
     pub height: &'static [f64],
+    /// R(r) = ((1 - r)^(-1/3) - 1) / r, for |r| <= 0.1021, in powers of r. Best in the relative error of
+    /// 1 + r R(r).
+    pub root: &'static [f64],
 }
 """
 
 SET = """
 /// For `{precision}`: each decimal is the shortest that reads as the number of that type that is meant.
 ///
-/// Worst errors: shape {shape}, area {area}, height {height}.
+/// Worst errors: shape {shape}, area {area}, height {height}, root {root}.
 pub const {name}: Fits = Fits {{
     shape: &[{shape_coefficients}],
     area: &[{area_coefficients}],
     height: &[{height_coefficients}],
+    root: &[{root_coefficients}],
 }};
 """
 
@@ -89,7 +93,7 @@ def rounded_up(error):
 
 def _set(name, precision, fit, decimal):
     values = {"name": name, "precision": precision}
-    for polynomial in ("shape", "area", "height"):
+    for polynomial in ("shape", "area", "height", "root"):
         fitted = fit(polynomial)
         values[polynomial] = rounded_up(fitted.error)
         values[f"{polynomial}_coefficients"] = ", ".join(decimal(c) for c in fitted.coefficients)

@@ -1,4 +1,4 @@
-"""The polynomials H, A and P of one variable: areas of disk segments, and heights of segments of given area.
+"""The polynomials of one variable: areas of segments H and A, heights of segments P, and R of the root in P.
 
 Each function below sets up one linear problem (see polynomial.py) for coefficients in ascending order. Its
 columns are those of the monomials, so the problem's error is the polynomial's error in the norm that matters
@@ -77,17 +77,45 @@ def height_problem(degree):
     return columns, target
 
 
+# The residual 1 - x y^3 of the guess y of x^(-1/3) that dividing the exponent and the significand by -3 gives
+# (`two_thirds_power` in src/math.rs): at most this, up to its last digit rounded up.
+RESIDUAL = mpf("0.1021")
+
+
+def root_problem(degree):
+    """R(r) = ((1 - r)^(-1/3) - 1) / r, |r| <= RESIDUAL, in the relative error of 1 + r R(r).
+
+    The columns are r^j times a weight that is positive on both sides of 0, which is not a point of the grid.
+    """
+    points = [RESIDUAL * (2 * x - 1) for x in polynomial.grid(degree)]
+    weights = [abs(r) * (1 - r) ** (mpf(1) / 3) for r in points]
+    columns = [[w * r**j for w, r in zip(weights, points, strict=True)] for j in range(degree + 1)]
+    exact = [((1 - r) ** (-mpf(1) / 3) - 1) / r for r in points]
+    return columns, [w * f for w, f in zip(weights, exact, strict=True)]
+
+
 # The single precision degrees are the least with errors near 1e-7, where rounding takes over. (P's error of
 # 5e-7 is in the density, that is in the height's derivative.)
-SINGLE = {"shape": (shape_problem, 11), "area": (area_problem, 5), "height": (height_problem, 8)}
+SINGLE = {
+    "shape": (shape_problem, 11),
+    "area": (area_problem, 5),
+    "height": (height_problem, 8),
+    "root": (root_problem, 4),
+}
 # The double precision degrees are the least with errors below 2^-53 = 1.1e-16, and for P, whose convergence
-# is the slowest and whose coefficients grow with the degree (up to 5 here), the least below 1e-15.
-DOUBLE = {"shape": (shape_problem, 23), "area": (area_problem, 16), "height": (height_problem, 22)}
+# is the slowest and whose coefficients grow with the degree (up to 5 here), the least below 1e-15. R's is the
+# least that a step of Newton's method, which squares the error, takes below 2^-53.
+DOUBLE = {
+    "shape": (shape_problem, 23),
+    "area": (area_problem, 16),
+    "height": (height_problem, 22),
+    "root": (root_problem, 4),
+}
 
 
 @cache
 def single(name):
-    """One of the three polynomials for binary32."""
+    """One of the polynomials for binary32."""
     problem, degree = SINGLE[name]
     columns, target = problem(degree)
     best = polynomial.minimax(columns, target)
@@ -96,7 +124,7 @@ def single(name):
 
 @cache
 def double(name):
-    """One of the three polynomials for binary64."""
+    """One of the polynomials for binary64."""
     problem, degree = DOUBLE[name]
     columns, target = problem(degree)
     return _fitted(columns, target, [float(c) for c in polynomial.minimax(columns, target)])

@@ -188,71 +188,72 @@ spherecap_surface_light spherecap_surface_prepare(vec3 normal, vec3 centre, floa
     float t54 = t7 - t52 - t53;
     float t55 = t7 + t52 + t53;
     float t56 = t54 * t55;
-    float t57 = sqrt(t12);
-    bool t58 = 0.0 < t12;
-    float t59;
+    float t57 = sqrt(t11);
+    float t58 = 1.0 / t57;
+    float t59 = sqrt(t12);
+    float elevation_sin = t52 * t58;
+    bool t60 = 0.0 < t12;
+    bool t61 = 0.0 < t56 && t60;
+    bool t62 = 0.0 < elevation_sin;
+    float t63;
     float t_x = 0.0, t_y = 0.0, width = 0.0, kappa = 0.0, cut = 0.0, shape = 0.0;
     float shape_difference = 0.0, norm = 0.0, tau = 0.0, area = 0.0;
-    if (0.0 < t56 && t58) {
-        t59 = sqrt(t12 + t56);
-        float t60 = sqrt(t56);
-        float t61 = 1.0 / (t59 * t7);
-        float t62 = t61 * t7;
-        float t63 = t61 * t59;
-        t_x = t57 * t62;
-        t_y = t60 * t62;
-        float t64 = t_y * t_y;
-        kappa = abs(t52) * t63;
+    if (t61) {
+        t63 = sqrt(t12 + t56);
+        float t64 = sqrt(t56);
+        float t65 = 1.0 / (t63 * t7);
+        float t66 = t65 * t7;
+        float t67 = t65 * t63;
+        t_x = t59 * t66;
+        t_y = t64 * t66;
+        float t68 = t_y * t_y;
+        kappa = abs(t52) * t67;
         cut = kappa * t_x;
-        float t65 = t_x - 0.5;
-        float t66 = cut - 0.5;
-        float t67 = t65 * t65;
-        float t68 = t66 * t66;
-        float t69 = fma(0.05430631, t67, 0.080950715);
-        float t70 = fma(t69, t67, 0.1684019);
-        float t71 = fma(t70, t67, 0.32709444);
-        float t72 = fma(t71, t67, 0.5987523);
-        float t73 = fma(-0.026061837, t67, -0.06372378);
-        float t74 = fma(t73, t67, -0.11762552);
-        float t75 = fma(t74, t67, -0.23594604);
-        float t76 = fma(t75, t67, -0.44721135);
-        float t77 = fma(t76, t67, -0.7754678);
-        shape = fma(t77, t65, fma(t72, t67, 0.94559944));
-        float t78 = fma(t66, fma(fma(fma(fma(-0.026061837, t68, t73), t68, t74), t68, t75), t68, t76), fma(fma(fma(fma(0.05430631, t68, t69), t68, t70), t68, t71), t68, t72));
-        shape_difference = fma(t78, t65 + t66, t77);
+        float t69 = t_x - 0.5;
+        float t70 = cut - 0.5;
+        float t71 = t69 * t69;
+        float t72 = t70 * t70;
+        float t73 = fma(0.05430631, t71, 0.080950715);
+        float t74 = fma(t73, t71, 0.1684019);
+        float t75 = fma(t74, t71, 0.32709444);
+        float t76 = fma(t75, t71, 0.5987523);
+        float t77 = fma(-0.026061837, t71, -0.06372378);
+        float t78 = fma(t77, t71, -0.11762552);
+        float t79 = fma(t78, t71, -0.23594604);
+        float t80 = fma(t79, t71, -0.44721135);
+        float t81 = fma(t80, t71, -0.7754678);
+        shape = fma(t81, t69, fma(t76, t71, 0.94559944));
+        float t82 = fma(t70, fma(fma(fma(fma(-0.026061837, t72, t77), t72, t78), t72, t79), t72, t80), fma(fma(fma(fma(0.05430631, t72, t73), t72, t74), t72, t75), t72, t76));
+        shape_difference = fma(t82, t69 + t70, t81);
         norm = fma(cut, shape_difference, shape);
-        width = t64 / (1.0 + t_x);
-        tau = t60 * t63;
-        area = t64 * t_y * (min(t55, t54) * t63) * norm;
+        width = t68 / (1.0 + t_x);
+        tau = t64 * t67;
+        area = t68 * t_y * (min(t55, t54) * t67) * norm;
     } else {
-        t59 = t32;
+        t63 = t32;
     }
-    float t79 = sqrt(t11);
-    float t80 = 1.0 / t79;
-    float radius_sin = t7 * t80;
-    float radius_cos = t57 * t80;
-    float elevation_sin = t52 * t80;
-    float elevation_cos = t59 * t80;
-    float t81 = abs(elevation_sin);
+    float radius_sin = t7 * t58;
+    float radius_cos = t59 * t58;
+    float elevation_cos = t63 * t58;
+    float t83 = abs(elevation_sin);
     float climb = radius_sin * elevation_cos;
-    float rise = max(-(radius_cos * t81), t56 * (t80 * t80) / fma(radius_cos, t81, climb));
-    float t82 = radius_sin * radius_sin;
-    bool t83 = 0.0 < elevation_sin;
-    float t84 = t83 ? fma(t82 * t81, 3.1415927, area) : area;
-    bool t85 = 9.8607613e-32 < t82;
-    vec3 towards_centre = vec3(t4, t5, t6) * t80;
-    float t86 = 1.0 / t31;
-    vec3 sideways = vec3(t28, t29, t30) * t86;
-    float distance = t79 * (t1 ? 1.0 : unscale);
-    float projected_above = (9.403955e-38 < t84 && t85 && t58) ? t84 : 0.0;
-    bool t87 = 0.0 < tau;
+    float rise = max(-(radius_cos * t83), t56 * (t58 * t58) / fma(radius_cos, t83, climb));
+    float t84 = radius_sin * radius_sin;
+    float t85 = t62 ? fma(t84 * t83, 3.1415927, area) : area;
+    bool t86 = 9.8607613e-32 < t84;
+    vec3 towards_centre = vec3(t4, t5, t6) * t58;
+    float t87 = 1.0 / t31;
+    vec3 sideways = vec3(t28, t29, t30) * t87;
+    float distance = t57 * (t1 ? 1.0 : unscale);
+    float projected_above = (9.403955e-38 < t85 && t86 && t60) ? t85 : 0.0;
     float inv_above = 0.0 < projected_above ? 1.0 / projected_above : 0.0;
-    float t88 = t83 ? inv_above : 0.0;
-    bool t89 = t87 && t83 && 0.0 < t88;
+    float t88 = t62 ? inv_above : 0.0;
+    bool t89 = t61 && t62 && 0.0 < t88;
     float t90 = t_y * t_y * t_y * shape * t88;
     float t91 = t_y / radius_sin;
+    float beyond = t89 ? t91 * t91 * t91 * (fma(cut - t_x, shape_difference, shape) * 0.53033006) : 0.0;
     float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0;
-    if (t87 && !t83) {
+    if (t61 && !t62) {
         float t92 = 1.0 + kappa;
         float t93 = t92 * shape;
         float t94 = 1.0 / (norm * t93);
@@ -260,41 +261,39 @@ spherecap_surface_light spherecap_surface_prepare(vec3 normal, vec3 centre, floa
         b_0 = norm * t95;
         float t96 = 1.0 / (1.0 + cut);
         float t97 = (t_x + kappa) * t96 - 0.5;
-        float t98 = t97 * t97;
-        float t99 = fma(fma(fma(-0.026061837, t98, -0.06372378), t98, -0.11762552), t98, -0.23594604);
-        float t100 = fma(fma(fma(0.05430631, t98, 0.080950715), t98, 0.1684019), t98, 0.32709444);
-        float t101 = fma(fma(fma(t99, t98, -0.44721135), t98, -0.7754678), t97, fma(fma(t100, t98, 0.5987523), t98, 0.94559944));
-        float t102 = t92 * t101 * (t96 * t96 * t96) * (t93 * t94);
-        float t103 = fma(t102, t93 * t95, -1.0);
-        float t104 = 1.0 - t102;
-        float t105 = fma(fma(30.011856, t103, fma(-41.541264, t104, -37.009792)), t103, fma(77.96775, t104, 7.470758));
-        float t106 = fma(fma(fma(15.716111 * t104, t104, 9.961183), t104, -2.61785), t104, 0.8681748);
-        float t107 = fma(fma(t105, t103, fma(fma(-49.13454, t104, -9.466533), t104, -1.5877596)), t103, t106);
-        float t108 = t103 * t107;
-        float t109 = fma(fma(7.295638, t103, -7.236236), t103, fma(-11.4868555 * t104 * t104, t104, 3.1255686));
-        float t110 = fma(fma(fma(13.728438, t104, -7.981878), t104, 2.025724), t104, -0.7334958);
-        float t111 = t103 * fma(t109, t103, t110);
-        float t112 = fma(fma(-23.220068, t104, 7.332055), t103, fma(fma(9.986537, t104, 25.22195) * t104, t104, -2.9581387));
-        float t113 = fma(fma(fma(-19.722994, t104, 4.6594768), t104, -0.89538246), t104, 0.5143498);
-        float t114 = t103 * fma(t112, t103, t113);
-        float t115 = fma(fma(fma(1.946617, t103, -3.077631), t103, 1.4945927), t103, -0.24140751);
-        float t116 = t103 * t115;
-        float t117 = t103 * fma(fma(0.38173297, t103, -0.30305624), t103, 0.05897375);
-        b_1 = t102 - b_0 + t108;
-        b_2 = t111 - t108;
-        b_3 = t114 - t111;
-        b_4 = t116 - t114;
-        b_5 = t117 - t116;
-        b_6 = -t117;
+        float t98 = t97 * t97 * t97;
+        float t99 = fma(fma(fma(-0.026061837, t97, 0.05430631), t97, -0.06372378), t98, fma(fma(0.080950715, t97, -0.11762552), t97, 0.1684019));
+        float t100 = fma(fma(t99, t98, fma(fma(-0.23594604, t97, 0.32709444), t97, -0.44721135)), t98, fma(fma(0.5987523, t97, -0.7754678), t97, 0.94559944));
+        float t101 = t92 * t100 * (t96 * t96 * t96) * (t93 * t94);
+        float t102 = fma(t101, t93 * t95, -1.0);
+        float t103 = 1.0 - t101;
+        float t104 = fma(fma(30.011856, t102, fma(-41.541264, t103, -37.009792)), t102, fma(77.96775, t103, 7.470758));
+        float t105 = fma(fma(fma(15.716111 * t103, t103, 9.961183), t103, -2.61785), t103, 0.8681748);
+        float t106 = fma(fma(t104, t102, fma(fma(-49.13454, t103, -9.466533), t103, -1.5877596)), t102, t105);
+        float t107 = t102 * t106;
+        float t108 = fma(fma(7.295638, t102, -7.236236), t102, fma(-11.4868555 * t103 * t103, t103, 3.1255686));
+        float t109 = fma(fma(fma(13.728438, t103, -7.981878), t103, 2.025724), t103, -0.7334958);
+        float t110 = t102 * fma(t108, t102, t109);
+        float t111 = fma(fma(-23.220068, t103, 7.332055), t102, fma(fma(9.986537, t103, 25.22195) * t103, t103, -2.9581387));
+        float t112 = fma(fma(fma(-19.722994, t103, 4.6594768), t103, -0.89538246), t103, 0.5143498);
+        float t113 = t102 * fma(t111, t102, t112);
+        float t114 = fma(fma(fma(1.946617, t102, -3.077631), t102, 1.4945927), t102, -0.24140751);
+        float t115 = t102 * t114;
+        float t116 = t102 * fma(fma(0.38173297, t102, -0.30305624), t102, 0.05897375);
+        b_1 = t101 - b_0 + t107;
+        b_2 = t110 - t107;
+        b_3 = t113 - t110;
+        b_4 = t115 - t113;
+        b_5 = t116 - t115;
+        b_6 = -t116;
     }
-    bool t118 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
-    float t119 = t118 ? ((0.0 < radius_cos && t85) ? t82 / (1.0 + radius_cos) : 0.0) * 6.2831855 : 0.0;
+    bool t117 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
+    float t118 = t117 ? ((0.0 < radius_cos && t86) ? t84 / (1.0 + radius_cos) : 0.0) * 6.2831855 : 0.0;
     return spherecap_surface_light(
-        t118, t119, t118 ? projected_above : 0.0, towards_centre, sideways, normal, distance, radius_sin,
+        t117, t118, t117 ? projected_above : 0.0, towards_centre, sideways, normal, distance, radius_sin,
         radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, inv_above,
-        cross(sideways, normal), t89 ? t90 : 0.0, t89 ? 1.0 / (1.0 - t90) : 1.0,
-        t89 ? t91 * t91 * t91 * fma(cut - t_x, shape_difference, shape) : 0.0, elevation_cos * radius_cos,
-        radius_sin * t81, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
+        cross(sideways, normal), t89 ? t90 : 0.0, t89 ? 1.0 / (1.0 - t90) : 1.0, beyond,
+        elevation_cos * radius_cos, radius_sin * t83, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
 
@@ -304,24 +303,24 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
     }
     float t1 = abs(light.elevation_sin);
     bool t2 = 0.0 < light.tau;
-    bool t3 = !(0.0 < light.elevation_sin) && t2;
-    float t4 = min(0.99999994, max(5.9604645e-8, u0));
-    float t5 = min(0.99999994, max(5.9604645e-8, u1));
-    bool t6 = light.crescent_share <= t4 && !t3;
+    float t3 = min(0.99999994, max(5.9604645e-8, u0));
+    float t4 = min(0.99999994, max(5.9604645e-8, u1));
+    bool t5 = !(0.0 < light.elevation_sin) && t2;
+    bool t6 = light.crescent_share <= t3 && !t5;
     bool t7 = !t2 || t6;
-    float t8 = 1.0 - t5;
-    float t9 = t5 - t8;
-    float t10 = 4.0 * t5 * t8;
-    float t11 = min(0.99999994, max(5.9604645e-8, (t4 - light.crescent_share) * light.inv_rest));
-    float t12 = t2 ? t11 : t4;
+    float t8 = 1.0 - t4;
+    float t9 = t4 - t8;
+    float t10 = 4.0 * t4 * t8;
+    float t11 = min(0.99999994, max(5.9604645e-8, (t3 - light.crescent_share) * light.inv_rest));
+    float t12 = t2 ? t11 : t3;
     float t13 = t2 ? light.beyond : 0.0;
-    float t14 = 3.1415927 - t13;
+    float t14 = 1.6660811 - t13;
     float t15 = fma(t12, t14, t13);
     float t16 = (1.0 - t12) * t14;
     float t18, t19, t20;
     float t17 = 0.0;
     if (t7) {
-        t18 = min(t16, t15) * 0.53033006;
+        t18 = min(t16, t15);
         t19 = 1.0;
         t20 = 1.0;
     } else {
@@ -330,67 +329,65 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
         float t23 = t21 * t22;
         float t24 = sqrt(fma(t9, t9, t23 * t23));
         float t25 = light.tau * t23;
-        t20 = t3 ? fma(t9, t9, t25 * t25) : 1.0;
-        float t26 = t3 ? fma(light.kappa, t23, t24) * fma(light.cut, t23, t24) : light.crescent_share;
-        float t27 = (t3 ? light.width : t4) / t26;
-        float t28 = t3 ? t27 : light.width;
+        t20 = t5 ? fma(t9, t9, t25 * t25) : 1.0;
+        float t26 = t5 ? fma(light.kappa, t23, t24) * fma(light.cut, t23, t24) : light.crescent_share;
+        float t27 = (t5 ? light.width : t3) / t26;
+        float t28 = t5 ? t27 : light.width;
         float t29 = t20 * t28;
-        float t30 = t29 * t29;
-        float t31 = fma(fma(fma(-0.00060778117, t30, -0.0027203285), t30, -0.10000902), t29, fma(fma(1.0676054e-5, t30, -0.011332183), t30, 1.0000001));
-        t17 = t3 ? t25 : t21;
-        t18 = t3 ? t4 : min(0.99999994, max(5.9604645e-8, t27));
-        t19 = t28 * t31;
+        float t30 = fma(fma(fma(-0.00060778117, t29, 1.0676054e-5), t29, -0.0027203285), t29 * t29 * t29, fma(fma(-0.011332183, t29, -0.10000902), t29, 1.0000001));
+        t17 = t5 ? t25 : t21;
+        t18 = t5 ? t3 : min(0.99999994, max(5.9604645e-8, t27));
+        t19 = t28 * t30;
     }
-    float t32 = spherecap_float_of_bits(fma(spherecap_bits(t18), -0.33333334, 1419900500.0));
-    float t33 = fma(-(t18 * t32), t32 * t32, 1.0);
+    float t31 = spherecap_float_of_bits(fma(spherecap_bits(t18), -0.33333334, 1419900500.0));
+    float t32 = t18 * t31;
+    float t33 = fma(-t32, t31 * t31, 1.0);
     float t34 = t33 * t33;
-    float t35 = fma(fma(fma(0.110958695, t34, 0.14403293), t34, 0.22222222), t33, fma(fma(0.12482853, t34, 0.17283951), t34, 0.33333334));
-    float t36 = t19 * (t18 * fma(t32, t33 * t35, t32));
+    float t35 = fma(fma(0.12666093, t34, fma(0.14565912, t33, 0.17283025)), t34, fma(0.22221696, t33, 0.33333334));
+    float t36 = t19 * fma(t32 * t33, t35, t32);
     float t37 = t36 * t20;
-    float t38 = t37 * t37;
-    float t39 = fma(fma(fma(-0.063446075, t38, -0.056249518), t38, 0.0074712755), t38, 0.09996679);
-    float t40 = fma(fma(fma(0.022114987, t38, 0.085662976), t38, 0.030445365), t38, 0.03209764);
-    float t41 = t36 * fma(t39, t37, fma(t40, t38, 1.0000004));
-    float t42 = t7 ? min(1.0, t41) : t41;
-    float t43 = t20 * t42;
-    float t44 = 2.0 - t43;
-    float t45 = t42 * t44;
-    float t46 = sqrt(t45);
-    float zenith, side, cosine, t47;
+    float t38 = t37 * t37 * t37;
+    float t39 = fma(fma(fma(0.022114987, t37, -0.063446075), t37, 0.085662976), t38, fma(fma(-0.056249518, t37, 0.030445365), t37, 0.0074712755));
+    float t40 = t36 * fma(t39, t38, fma(fma(0.03209764, t37, 0.09996679), t37, 1.0000004));
+    float t41 = t7 ? min(1.0, t40) : t40;
+    float t42 = t20 * t41;
+    float t43 = 2.0 - t42;
+    float t44 = t41 * t43;
+    float t45 = sqrt(t44);
+    float zenith, side, cosine, t46;
     if (t7) {
-        float t48 = t15 - t16 < 0.0 ? t43 : t44;
-        float t49 = t45 * t10;
-        float t50 = 1.0 - t48;
-        float t51 = max(0.0, fma(light.climb, t48, -light.rise));
-        cosine = sqrt(fma(t51, t51, light.radius_sin * light.radius_sin * t49));
-        float t52 = t1 * light.radius_cos;
-        float t53 = fma(light.elevation_cos * t50, fma(light.climb, t50, -2.0 * t52), light.radius_sin * t49);
-        zenith = light.radius_sin * fma(light.elevation_cos, t53 / (cosine + t52), -(t1 * t1 * t50));
-        side = light.radius_sin * t46 * t9;
-        t47 = fma(light.half_axis, t50, light.middle);
+        float t47 = t15 - t16 < 0.0 ? t42 : t43;
+        float t48 = 1.0 - t47;
+        float t49 = light.radius_sin * light.radius_sin * t10;
+        float t50 = max(0.0, fma(light.climb, t47, -light.rise));
+        cosine = sqrt(fma(t44, t49, t50 * t50));
+        float t51 = t1 * light.radius_cos;
+        float t52 = light.climb * t48;
+        zenith = fma(light.elevation_cos, fma(t52, t52 - 2.0 * t51, t44 * t49) / (cosine + t51), -(light.half_axis * t1 * t48));
+        side = light.radius_sin * t45 * t9;
+        t46 = fma(light.half_axis, t48, light.middle);
     } else {
-        cosine = t46 * t17;
-        t47 = 1.0 - t43;
-        zenith = fma(light.elevation_cos, cosine, -((t3 ? -t1 : t1) * t47));
-        side = t46 * t9;
+        cosine = t45 * t17;
+        t46 = 1.0 - t42;
+        zenith = fma(light.elevation_cos, cosine, -((t5 ? -t1 : t1) * t46));
+        side = t45 * t9;
     }
-    float t54 = 0.0 < cosine ? light.inv_above : 0.0;
-    float t55 = fma(zenith, zenith, side * side);
-    float t56 = max(0.0, fma(light.radius_sin, light.radius_sin, -t55));
-    float t57 = sqrt(t56);
-    float t58 = sqrt(fma(light.radius_cos, light.radius_cos, t56));
-    float t59 = light.radius_cos * light.radius_cos / (t58 + t57);
-    float t60 = 1.0 / light.radius_sin;
-    float t61 = t59 * t60;
-    float t62 = -fma(t58, t57, t55) * t60;
-    float t63 = t61 * zenith;
-    float t64 = t61 * side;
-    float t65 = fma(light.elevation_cos, t62, -(light.elevation_sin * t63));
-    float t66 = fma(light.elevation_sin, t62, light.elevation_cos * t63);
+    float t53 = fma(zenith, zenith, side * side);
+    float t54 = max(0.0, fma(light.radius_sin, light.radius_sin, -t53));
+    float t55 = sqrt(t54);
+    float t56 = sqrt(fma(light.radius_cos, light.radius_cos, t54));
+    float t57 = light.radius_cos * light.radius_cos / (t56 + t55);
+    float t58 = 1.0 / light.radius_sin;
+    float t59 = t57 * t58;
+    float t60 = -fma(t56, t55, t53) * t58;
+    float t61 = t59 * zenith;
+    float t62 = t59 * side;
+    float t63 = fma(light.elevation_cos, t60, -(light.elevation_sin * t61));
+    float t64 = fma(light.elevation_sin, t60, light.elevation_cos * t61);
     return spherecap_sample(
-        light.third_axis * t47 + light.sideways * side + light.normal * cosine, t59 * light.distance,
-        light.third_axis * t65 + light.sideways * t64 + light.normal * t66, cosine,
-        t54 * min(3.4028235e38, abs(cosine)), t54
+        light.third_axis * t46 + light.sideways * side + light.normal * cosine, t57 * light.distance,
+        light.third_axis * t63 + light.sideways * t62 + light.normal * t64, cosine,
+        light.inv_above * min(3.4028235e38, max(0.0, cosine)), 0.0 < cosine ? light.inv_above : 0.0
     );
 }
 
@@ -403,11 +400,11 @@ float spherecap_surface_pdf_direction(spherecap_surface_light light, vec3 direct
     if (!light.is_sampled) {
         return 0.0;
     }
-    float t1 = dot(light.normal, direction);
-    bool t2 = dot(light.towards_centre, direction) < 0.0;
-    float t3 = t2 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
-    float t4 = t2 ? 1.0 : dot(light.sideways, direction);
-    float t5 = fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < t1 ? light.inv_above : 0.0) * min(3.4028235e38, abs(t1)) : 0.0;
+    bool t1 = dot(light.towards_centre, direction) < 0.0;
+    float t2 = t1 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
+    float t3 = t1 ? 1.0 : dot(light.sideways, direction);
+    float t4 = light.inv_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    float t5 = fma(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019 ? t4 : 0.0;
     float t6 = dot(direction, direction);
     return (0.998001 <= t6 && t6 <= 1.002001) ? t5 : 0.0;
 }
@@ -416,10 +413,9 @@ float spherecap_surface_pdf_on_sphere(spherecap_surface_light light, vec3 direct
     if (!light.is_sampled) {
         return 0.0;
     }
-    float t1 = dot(light.normal, direction);
+    float t1 = light.inv_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
     float t2 = dot(direction, direction);
-    float t3 = (0.998001 <= t2 && t2 <= 1.002001) ? (0.0 < t1 ? light.inv_above : 0.0) * min(3.4028235e38, abs(t1)) : 0.0;
-    return t3;
+    return (0.998001 <= t2 && t2 <= 1.002001) ? t1 : 0.0;
 }
 
 float spherecap_surface_importance(vec3 normal, vec3 centre, float radius, float strength) {
@@ -535,21 +531,21 @@ spherecap_front_light spherecap_front_prepare(vec3 normal, vec3 centre, float ra
         t18 = t16;
         t19 = t17;
     }
-    bool t28 = 0.0 < t7;
-    precise float t29 = normal_z * t12;
-    float t30 = spherecap_fused(normal_y, t13, -t29);
-    precise float t31 = normal_x * t13;
-    float t32 = spherecap_fused(normal_z, t11, -t31);
-    precise float t33 = normal_y * t11;
-    float t34 = spherecap_fused(normal_x, t12, -t33);
-    float t35 = fma(t30, t30, fma(t32, t32, t34 * t34));
-    float up_x, up_y, up_z, t36, t37, t38, t39, t40;
-    if (t35 < t18 * 0.015625) {
-        float t41 = t30 - spherecap_lost(normal_z, t12, t29);
-        float t42 = t32 - spherecap_lost(normal_x, t13, t31);
-        float t43 = t34 - spherecap_lost(normal_y, t11, t33);
-        float t44 = fma(t41, t41, fma(t42, t42, t43 * t43));
-        bool t45 = t44 < t18 * 5.169879e-26;
+    precise float t28 = normal_z * t12;
+    float t29 = spherecap_fused(normal_y, t13, -t28);
+    precise float t30 = normal_x * t13;
+    float t31 = spherecap_fused(normal_z, t11, -t30);
+    precise float t32 = normal_y * t11;
+    float t33 = spherecap_fused(normal_x, t12, -t32);
+    float t34 = fma(t29, t29, fma(t31, t31, t33 * t33));
+    float up_x, up_y, up_z, t35, t36, t37, t38, t39;
+    if (t34 < t18 * 0.015625) {
+        float t40 = t29 - spherecap_lost(normal_z, t12, t28);
+        float t41 = t31 - spherecap_lost(normal_x, t13, t30);
+        float t42 = t33 - spherecap_lost(normal_y, t11, t32);
+        float t43 = fma(t40, t40, fma(t41, t41, t42 * t42));
+        bool t44 = 0.0 < t7;
+        bool t45 = t43 < t18 * 5.169879e-26;
         bool t46 = abs(t11) < abs(t13);
         float t47 = t46 ? 0.0 : -t12;
         float t48 = t46 ? -t13 : t11;
@@ -557,155 +553,157 @@ spherecap_front_light spherecap_front_prepare(vec3 normal, vec3 centre, float ra
         float t50 = sqrt(fma(t47, t47, fma(t48, t48, t49 * t49)));
         float t51 = sqrt(t18);
         float t52 = t51 * t50;
-        float t53 = sqrt(t44);
-        up_x = t45 ? (t28 ? normal_x : fma(t12, t49, -(t13 * t48)) / t52) : normal_x;
-        up_y = t45 ? (t28 ? normal_y : fma(t13, t47, -(t11 * t49)) / t52) : normal_y;
-        up_z = t45 ? (t28 ? normal_z : fma(t11, t48, -(t12 * t47)) / t52) : normal_z;
-        t36 = t45 ? t47 : t41;
-        t37 = t45 ? t48 : t42;
-        t38 = t45 ? t49 : t43;
-        t39 = t45 ? t50 : t53;
-        t40 = t45 ? (t28 ? 0.0 : t51) : t53;
+        float t53 = sqrt(t43);
+        up_x = t45 ? (t44 ? normal_x : fma(t12, t49, -(t13 * t48)) / t52) : normal_x;
+        up_y = t45 ? (t44 ? normal_y : fma(t13, t47, -(t11 * t49)) / t52) : normal_y;
+        up_z = t45 ? (t44 ? normal_z : fma(t11, t48, -(t12 * t47)) / t52) : normal_z;
+        t35 = t45 ? t47 : t40;
+        t36 = t45 ? t48 : t41;
+        t37 = t45 ? t49 : t42;
+        t38 = t45 ? t50 : t53;
+        t39 = t45 ? (t44 ? 0.0 : t51) : t53;
     } else {
-        t39 = sqrt(t35);
+        t38 = sqrt(t34);
         up_x = normal_x;
         up_y = normal_y;
         up_z = normal_z;
-        t36 = t30;
-        t37 = t32;
-        t38 = t34;
-        t40 = t39;
+        t35 = t29;
+        t36 = t31;
+        t37 = t33;
+        t39 = t38;
     }
-    precise float t54 = normal_x * t11;
-    precise float t55 = normal_y * t12;
-    precise float t56 = normal_z * t13;
-    precise float t57 = t54 + t55;
-    precise float t58 = t57 - t54;
-    precise float t59 = t57 + t56;
-    precise float t60 = t59 - t57;
-    float t61 = spherecap_lost(normal_x, t11, t54) + spherecap_lost(normal_y, t12, t55) + spherecap_lost(normal_z, t13, t56);
-    precise float t62 = t61 + (t54 - (t57 - t58) + (t55 - t58) + (t57 - (t59 - t60) + (t56 - t60)));
-    precise float t63 = t59 + t62;
-    precise float t64 = t62 - (t63 - t59);
-    float t65 = t14 - t63 - t64;
-    float t66 = t14 + t63 + t64;
-    float t67 = t65 * t66;
-    float t68 = sqrt(t19);
-    bool t69 = 0.0 < t19;
-    float t70;
+    bool t54 = 0.0 < t7;
+    precise float t55 = normal_x * t11;
+    precise float t56 = normal_y * t12;
+    precise float t57 = normal_z * t13;
+    precise float t58 = t55 + t56;
+    precise float t59 = t58 - t55;
+    precise float t60 = t58 + t57;
+    precise float t61 = t60 - t58;
+    float t62 = spherecap_lost(normal_x, t11, t55) + spherecap_lost(normal_y, t12, t56) + spherecap_lost(normal_z, t13, t57);
+    precise float t63 = t62 + (t55 - (t58 - t59) + (t56 - t59) + (t58 - (t60 - t61) + (t57 - t61)));
+    precise float t64 = t60 + t63;
+    precise float t65 = t63 - (t64 - t60);
+    float t66 = t14 - t64 - t65;
+    float t67 = t14 + t64 + t65;
+    float t68 = t66 * t67;
+    float t69 = sqrt(t18);
+    float t70 = 1.0 / t69;
+    float t71 = sqrt(t19);
+    float elevation_sin = t64 * t70;
+    bool t72 = 0.0 < t19;
+    bool t73 = 0.0 < t68 && t54 && t72;
+    bool t74 = 0.0 < elevation_sin;
+    float t75;
     float t_x = 0.0, t_y = 0.0, width = 0.0, kappa = 0.0, cut = 0.0, shape = 0.0;
     float shape_difference = 0.0, norm = 0.0, tau = 0.0, area = 0.0;
-    if (0.0 < t67 && t28 && t69) {
-        t70 = sqrt(t19 + t67);
-        float t71 = sqrt(t67);
-        float t72 = 1.0 / (t70 * t14);
-        float t73 = t72 * t14;
-        float t74 = t72 * t70;
-        t_x = t68 * t73;
-        t_y = t71 * t73;
-        float t75 = t_y * t_y;
-        kappa = abs(t63) * t74;
+    if (t73) {
+        t75 = sqrt(t19 + t68);
+        float t76 = sqrt(t68);
+        float t77 = 1.0 / (t75 * t14);
+        float t78 = t77 * t14;
+        float t79 = t77 * t75;
+        t_x = t71 * t78;
+        t_y = t76 * t78;
+        float t80 = t_y * t_y;
+        kappa = abs(t64) * t79;
         cut = kappa * t_x;
-        float t76 = t_x - 0.5;
-        float t77 = cut - 0.5;
-        float t78 = t76 * t76;
-        float t79 = t77 * t77;
-        float t80 = fma(0.05430631, t78, 0.080950715);
-        float t81 = fma(t80, t78, 0.1684019);
-        float t82 = fma(t81, t78, 0.32709444);
-        float t83 = fma(t82, t78, 0.5987523);
-        float t84 = fma(-0.026061837, t78, -0.06372378);
-        float t85 = fma(t84, t78, -0.11762552);
-        float t86 = fma(t85, t78, -0.23594604);
-        float t87 = fma(t86, t78, -0.44721135);
-        float t88 = fma(t87, t78, -0.7754678);
-        shape = fma(t88, t76, fma(t83, t78, 0.94559944));
-        float t89 = fma(t77, fma(fma(fma(fma(-0.026061837, t79, t84), t79, t85), t79, t86), t79, t87), fma(fma(fma(fma(0.05430631, t79, t80), t79, t81), t79, t82), t79, t83));
-        shape_difference = fma(t89, t76 + t77, t88);
+        float t81 = t_x - 0.5;
+        float t82 = cut - 0.5;
+        float t83 = t81 * t81;
+        float t84 = t82 * t82;
+        float t85 = fma(0.05430631, t83, 0.080950715);
+        float t86 = fma(t85, t83, 0.1684019);
+        float t87 = fma(t86, t83, 0.32709444);
+        float t88 = fma(t87, t83, 0.5987523);
+        float t89 = fma(-0.026061837, t83, -0.06372378);
+        float t90 = fma(t89, t83, -0.11762552);
+        float t91 = fma(t90, t83, -0.23594604);
+        float t92 = fma(t91, t83, -0.44721135);
+        float t93 = fma(t92, t83, -0.7754678);
+        shape = fma(t93, t81, fma(t88, t83, 0.94559944));
+        float t94 = fma(t82, fma(fma(fma(fma(-0.026061837, t84, t89), t84, t90), t84, t91), t84, t92), fma(fma(fma(fma(0.05430631, t84, t85), t84, t86), t84, t87), t84, t88));
+        shape_difference = fma(t94, t81 + t82, t93);
         norm = fma(cut, shape_difference, shape);
-        width = t75 / (1.0 + t_x);
-        tau = t71 * t74;
-        area = t75 * t_y * (min(t66, t65) * t74) * norm;
+        width = t80 / (1.0 + t_x);
+        tau = t76 * t79;
+        area = t80 * t_y * (min(t67, t66) * t79) * norm;
     } else {
-        t70 = t40;
+        t75 = t39;
     }
-    float t90 = sqrt(t18);
-    float t91 = 1.0 / t90;
-    float radius_sin = t14 * t91;
-    float radius_cos = t68 * t91;
-    float elevation_sin = t63 * t91;
-    float elevation_cos = t70 * t91;
-    float t92 = abs(elevation_sin);
+    float radius_sin = t14 * t70;
+    float radius_cos = t71 * t70;
+    float elevation_cos = t75 * t70;
+    float t95 = abs(elevation_sin);
     float climb = radius_sin * elevation_cos;
-    float rise = max(-(radius_cos * t92), t67 * (t91 * t91) / fma(radius_cos, t92, climb));
-    float t93 = radius_sin * radius_sin;
-    bool t94 = 0.0 < elevation_sin;
-    float t95 = t94 ? fma(t93 * t92, 3.1415927, area) : area;
-    bool t96 = 9.8607613e-32 < t93;
-    vec3 towards_centre = vec3(t11, t12, t13) * t91;
-    float t97 = 1.0 / t39;
-    vec3 sideways = vec3(t36, t37, t38) * t97;
-    float on_surface = t28 ? 1.0 : 0.0;
-    float distance = t90 * (t8 ? 1.0 : unscale);
-    float projected_above = (9.403955e-38 < t95 && t96 && t69) ? t95 : 0.0;
-    bool t98 = 0.0 < tau;
-    float inv_above = 0.0 < projected_above ? 1.0 / projected_above : 0.0;
-    bool t99 = 0.0 < inv_above;
-    float t100 = t94 ? inv_above : 0.0;
-    float share = t99 ? defensive : 0.0 < defensive || !(0.0 < on_surface) ? 1.0 : 0.0;
-    bool t101 = t98 && t94 && 0.0 < t100;
-    float t102 = t_y * t_y * t_y * shape * t100;
-    float t103 = t_y / radius_sin;
-    float beyond = t101 ? t103 * t103 * t103 * fma(cut - t_x, shape_difference, shape) : 0.0;
+    float rise = max(-(radius_cos * t95), t68 * (t70 * t70) / fma(radius_cos, t95, climb));
+    float t96 = radius_sin * radius_sin;
+    float t97 = t74 ? fma(t96 * t95, 3.1415927, area) : area;
+    bool t98 = 9.8607613e-32 < t96;
+    vec3 towards_centre = vec3(t11, t12, t13) * t70;
+    float t99 = 1.0 / t38;
+    vec3 sideways = vec3(t35, t36, t37) * t99;
+    float on_surface = t54 ? 1.0 : 0.0;
+    float distance = t69 * (t8 ? 1.0 : unscale);
+    float projected_above = (9.403955e-38 < t97 && t98 && t72) ? t97 : 0.0;
+    bool t100 = 0.0 < projected_above;
+    float inv_above = t100 ? 1.0 / projected_above : 0.0;
+    float t101 = t74 ? inv_above : 0.0;
+    bool t102 = t73 && t74 && 0.0 < t101;
+    float t103 = t_y * t_y * t_y * shape * t101;
+    float t104 = t_y / radius_sin;
+    float t105 = t104 * t104 * t104 * (fma(cut - t_x, shape_difference, shape) * 0.53033006);
     float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0;
-    if (t98 && !t94) {
-        float t104 = 1.0 + kappa;
-        float t105 = t104 * shape;
-        float t106 = 1.0 / (norm * t105);
-        float t107 = sqrt(t106);
-        b_0 = norm * t107;
-        float t108 = 1.0 / (1.0 + cut);
-        float t109 = (t_x + kappa) * t108 - 0.5;
-        float t110 = t109 * t109;
-        float t111 = fma(fma(fma(-0.026061837, t110, -0.06372378), t110, -0.11762552), t110, -0.23594604);
-        float t112 = fma(fma(fma(0.05430631, t110, 0.080950715), t110, 0.1684019), t110, 0.32709444);
-        float t113 = fma(fma(fma(t111, t110, -0.44721135), t110, -0.7754678), t109, fma(fma(t112, t110, 0.5987523), t110, 0.94559944));
-        float t114 = t104 * t113 * (t108 * t108 * t108) * (t105 * t106);
-        float t115 = fma(t114, t105 * t107, -1.0);
-        float t116 = 1.0 - t114;
-        float t117 = fma(fma(30.011856, t115, fma(-41.541264, t116, -37.009792)), t115, fma(77.96775, t116, 7.470758));
-        float t118 = fma(fma(fma(15.716111 * t116, t116, 9.961183), t116, -2.61785), t116, 0.8681748);
-        float t119 = fma(fma(t117, t115, fma(fma(-49.13454, t116, -9.466533), t116, -1.5877596)), t115, t118);
-        float t120 = t115 * t119;
-        float t121 = fma(fma(7.295638, t115, -7.236236), t115, fma(-11.4868555 * t116 * t116, t116, 3.1255686));
-        float t122 = fma(fma(fma(13.728438, t116, -7.981878), t116, 2.025724), t116, -0.7334958);
-        float t123 = t115 * fma(t121, t115, t122);
-        float t124 = fma(fma(-23.220068, t116, 7.332055), t115, fma(fma(9.986537, t116, 25.22195) * t116, t116, -2.9581387));
-        float t125 = fma(fma(fma(-19.722994, t116, 4.6594768), t116, -0.89538246), t116, 0.5143498);
-        float t126 = t115 * fma(t124, t115, t125);
-        float t127 = fma(fma(fma(1.946617, t115, -3.077631), t115, 1.4945927), t115, -0.24140751);
-        float t128 = t115 * t127;
-        float t129 = t115 * fma(fma(0.38173297, t115, -0.30305624), t115, 0.05897375);
-        b_1 = t114 - b_0 + t120;
-        b_2 = t123 - t120;
-        b_3 = t126 - t123;
-        b_4 = t128 - t126;
-        b_5 = t129 - t128;
-        b_6 = -t129;
+    if (t73 && !t74) {
+        float t106 = 1.0 + kappa;
+        float t107 = t106 * shape;
+        float t108 = 1.0 / (norm * t107);
+        float t109 = sqrt(t108);
+        b_0 = norm * t109;
+        float t110 = 1.0 / (1.0 + cut);
+        float t111 = (t_x + kappa) * t110 - 0.5;
+        float t112 = t111 * t111 * t111;
+        float t113 = fma(fma(fma(-0.026061837, t111, 0.05430631), t111, -0.06372378), t112, fma(fma(0.080950715, t111, -0.11762552), t111, 0.1684019));
+        float t114 = fma(t113, t112, fma(fma(-0.23594604, t111, 0.32709444), t111, -0.44721135));
+        float t115 = t106 * fma(t114, t112, fma(fma(0.5987523, t111, -0.7754678), t111, 0.94559944));
+        float t116 = t115 * (t110 * t110 * t110) * (t107 * t108);
+        float t117 = fma(t116, t107 * t109, -1.0);
+        float t118 = 1.0 - t116;
+        float t119 = fma(fma(30.011856, t117, fma(-41.541264, t118, -37.009792)), t117, fma(77.96775, t118, 7.470758));
+        float t120 = fma(fma(fma(15.716111 * t118, t118, 9.961183), t118, -2.61785), t118, 0.8681748);
+        float t121 = fma(fma(t119, t117, fma(fma(-49.13454, t118, -9.466533), t118, -1.5877596)), t117, t120);
+        float t122 = t117 * t121;
+        float t123 = fma(fma(7.295638, t117, -7.236236), t117, fma(-11.4868555 * t118 * t118, t118, 3.1255686));
+        float t124 = fma(fma(fma(13.728438, t118, -7.981878), t118, 2.025724), t118, -0.7334958);
+        float t125 = t117 * fma(t123, t117, t124);
+        float t126 = fma(fma(-23.220068, t118, 7.332055), t117, fma(fma(9.986537, t118, 25.22195) * t118, t118, -2.9581387));
+        float t127 = fma(fma(fma(-19.722994, t118, 4.6594768), t118, -0.89538246), t118, 0.5143498);
+        float t128 = t117 * fma(t126, t117, t127);
+        float t129 = fma(fma(fma(1.946617, t117, -3.077631), t117, 1.4945927), t117, -0.24140751);
+        float t130 = t117 * t129;
+        float t131 = t117 * fma(fma(0.38173297, t117, -0.30305624), t117, 0.05897375);
+        b_1 = t116 - b_0 + t122;
+        b_2 = t125 - t122;
+        b_3 = t128 - t125;
+        b_4 = t130 - t128;
+        b_5 = t131 - t130;
+        b_6 = -t131;
     }
-    bool t130 = 0.0 < share;
-    float t131 = (0.0 < radius_cos && t96) ? t93 / (1.0 + radius_cos) : 0.0;
-    float inv_solid_angle = t130 ? (0.0 < t131 ? 0.15915494 / t131 : 0.0) : 0.0;
-    bool t132 = 0.0 < inv_solid_angle && t130;
-    bool t133 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t99 || t132);
+    float share = ((0.0 < defensive || !(0.0 < on_surface)) && !t100) ? 1.0 : defensive;
+    bool t132 = 0.0 < share;
+    float t133 = (0.0 < radius_cos && t98) ? t96 / (1.0 + radius_cos) : 0.0;
+    float inv_solid_angle = t132 ? (0.0 < t133 ? 0.15915494 / t133 : 0.0) : 0.0;
+    bool t134 = 0.0 < inv_solid_angle && t132;
+    bool t135 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (0.0 < inv_above || t134);
     return spherecap_front_light(
-        t133, t133 ? t131 * 6.2831855 : 0.0, t133 ? projected_above : 0.0, towards_centre, sideways,
+        t135, t135 ? t133 * 6.2831855 : 0.0, t135 ? projected_above : 0.0, towards_centre, sideways,
         vec3(normal_x, normal_y, normal_z), vec3(up_x, up_y, up_z), on_surface, distance, radius_sin,
         radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share, 1.0 - share,
         defensive, inv_above,
         vec3(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        t130 ? t131 : 0.0, inv_solid_angle, t101 ? t102 : 0.0, t101 ? 1.0 / (1.0 - t102) : 1.0, beyond,
-        elevation_cos * radius_cos, radius_sin * t92, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
+        t132 ? t133 : 0.0, inv_solid_angle, t102 ? t103 : 0.0, t102 ? 1.0 / (1.0 - t103) : 1.0,
+        t102 ? t105 : 0.0, elevation_cos * radius_cos, radius_sin * t95, climb, b_0, b_1, b_2, b_3, b_4, b_5,
+        b_6
     );
 }
 
@@ -719,7 +717,7 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
     float t4 = min(0.99999994, max(5.9604645e-8, u1));
     bool t5 = t3 < light.share && t2;
     float t6 = max(5.9604645e-8, (t5 ? t3 : t3 - light.share) / (t5 ? light.share : light.rest));
-    float t7 = 0.0 < light.requested ? min(0.99999994, t6) : t3;
+    float t7 = (0.0 < light.requested && t2) ? min(0.99999994, t6) : t3;
     bool t8 = !(0.0 < light.tau) || t5;
     bool t9 = !(0.0 < light.elevation_sin) && !t8;
     bool t10 = light.crescent_share <= t7 && !t9;
@@ -730,13 +728,13 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
     float t15 = min(0.99999994, max(5.9604645e-8, (t7 - light.crescent_share) * light.inv_rest));
     float t16 = t8 ? t7 : t15;
     float t17 = t8 ? 0.0 : light.beyond;
-    float t18 = 3.1415927 - t17;
+    float t18 = 1.6660811 - t17;
     float t19 = fma(t16, t18, t17);
     float t20 = (1.0 - t16) * t18;
     float t22, t23, t24;
     float t21 = 0.0;
     if (t11) {
-        t22 = min(t20, t19) * 0.53033006;
+        t22 = min(t20, t19);
         t23 = 1.0;
         t24 = 1.0;
     } else {
@@ -750,78 +748,78 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
         float t31 = (t9 ? light.width : t7) / t30;
         float t32 = t9 ? t31 : light.width;
         float t33 = t24 * t32;
-        float t34 = t33 * t33;
-        float t35 = fma(fma(fma(-0.00060778117, t34, -0.0027203285), t34, -0.10000902), t33, fma(fma(1.0676054e-5, t34, -0.011332183), t34, 1.0000001));
+        float t34 = fma(fma(fma(-0.00060778117, t33, 1.0676054e-5), t33, -0.0027203285), t33 * t33 * t33, fma(fma(-0.011332183, t33, -0.10000902), t33, 1.0000001));
         t21 = t9 ? t29 : t25;
         t22 = t9 ? t7 : min(0.99999994, max(5.9604645e-8, t31));
-        t23 = t32 * t35;
+        t23 = t32 * t34;
     }
-    float t36 = spherecap_float_of_bits(fma(spherecap_bits(t22), -0.33333334, 1419900500.0));
-    float t37 = fma(-(t22 * t36), t36 * t36, 1.0);
+    float t35 = spherecap_float_of_bits(fma(spherecap_bits(t22), -0.33333334, 1419900500.0));
+    float t36 = t22 * t35;
+    float t37 = fma(-t36, t35 * t35, 1.0);
     float t38 = t37 * t37;
-    float t39 = fma(fma(fma(0.110958695, t38, 0.14403293), t38, 0.22222222), t37, fma(fma(0.12482853, t38, 0.17283951), t38, 0.33333334));
-    float t40 = t23 * (t22 * fma(t36, t37 * t39, t36));
+    float t39 = fma(fma(0.12666093, t38, fma(0.14565912, t37, 0.17283025)), t38, fma(0.22221696, t37, 0.33333334));
+    float t40 = t23 * fma(t36 * t37, t39, t36);
     float t41 = t40 * t24;
-    float t42 = t41 * t41;
-    float t43 = fma(fma(fma(-0.063446075, t42, -0.056249518), t42, 0.0074712755), t42, 0.09996679);
-    float t44 = fma(fma(fma(0.022114987, t42, 0.085662976), t42, 0.030445365), t42, 0.03209764);
-    float t45 = t40 * fma(t43, t41, fma(t44, t42, 1.0000004));
-    float t46 = t11 ? min(1.0, t45) : t45;
-    float t47 = t24 * t46;
-    float t48 = 2.0 - t47;
-    float t49 = t46 * t48;
-    float t50 = sqrt(t49);
-    float zenith, side, cosine, t51, t52;
+    float t42 = t41 * t41 * t41;
+    float t43 = fma(fma(fma(0.022114987, t41, -0.063446075), t41, 0.085662976), t42, fma(fma(-0.056249518, t41, 0.030445365), t41, 0.0074712755));
+    float t44 = t40 * fma(t43, t42, fma(fma(0.03209764, t41, 0.09996679), t41, 1.0000004));
+    float t45 = t11 ? min(1.0, t44) : t44;
+    float t46 = t24 * t45;
+    float t47 = 2.0 - t46;
+    float t48 = t45 * t47;
+    float t49 = sqrt(t48);
+    float zenith, side, cosine, t50, t51;
     if (t11) {
-        float t53 = t19 - t20 < 0.0 ? t47 : t48;
-        float t54 = t49 * t14;
+        float t52 = t19 - t20 < 0.0 ? t46 : t47;
         if (t5) {
-            float t55 = light.height * (1.0 - t54);
-            float t56 = sqrt(light.height * (2.0 - t55));
-            zenith = (t53 - 1.0) * t56;
-            float t57 = 1.0 - t55;
-            t52 = fma(light.elevation_sin, t57, light.elevation_cos * zenith);
-            t51 = fma(light.elevation_cos, t57, -(light.elevation_sin * zenith));
-            side = t50 * t13 * t56;
-            cosine = t52 * light.on_surface;
+            float t53 = light.height * (1.0 - t48 * t14);
+            float t54 = sqrt(light.height * (2.0 - t53));
+            zenith = (t52 - 1.0) * t54;
+            float t55 = 1.0 - t53;
+            t51 = fma(light.elevation_sin, t55, light.elevation_cos * zenith);
+            t50 = fma(light.elevation_cos, t55, -(light.elevation_sin * zenith));
+            side = t49 * t13 * t54;
+            cosine = t51 * light.on_surface;
         } else {
-            float t58 = 1.0 - t53;
-            float t59 = max(0.0, fma(light.climb, t53, -light.rise));
-            t52 = sqrt(fma(t59, t59, light.radius_sin * light.radius_sin * t54));
-            float t60 = t1 * light.radius_cos;
-            float t61 = fma(light.elevation_cos * t58, fma(light.climb, t58, -2.0 * t60), light.radius_sin * t54);
-            zenith = light.radius_sin * fma(light.elevation_cos, t61 / (t52 + t60), -(t1 * t1 * t58));
-            t51 = fma(light.half_axis, t58, light.middle);
-            side = light.radius_sin * t50 * t13;
-            cosine = t52;
+            float t56 = 1.0 - t52;
+            float t57 = light.radius_sin * light.radius_sin * t14;
+            float t58 = max(0.0, fma(light.climb, t52, -light.rise));
+            t51 = sqrt(fma(t48, t57, t58 * t58));
+            float t59 = t1 * light.radius_cos;
+            float t60 = light.climb * t56;
+            zenith = fma(light.elevation_cos, fma(t60, t60 - 2.0 * t59, t48 * t57) / (t51 + t59), -(light.half_axis * t1 * t56));
+            t50 = fma(light.half_axis, t56, light.middle);
+            side = light.radius_sin * t49 * t13;
+            cosine = t51;
         }
     } else {
-        cosine = t50 * t21;
-        t51 = 1.0 - t47;
-        zenith = fma(light.elevation_cos, cosine, -((t9 ? -t1 : t1) * t51));
-        side = t50 * t13;
-        t52 = cosine;
+        cosine = t49 * t21;
+        t50 = 1.0 - t46;
+        zenith = fma(light.elevation_cos, cosine, -((t9 ? -t1 : t1) * t50));
+        side = t49 * t13;
+        t51 = cosine;
     }
-    float t62 = min(3.4028235e38, abs(cosine));
-    float t63 = 0.0 < cosine ? light.inv_above : 0.0;
-    float t64 = light.share * light.inv_solid_angle;
-    float t65 = min(3.4028235e38, fma(t63, light.rest, min(3.4028235e38, t64 / max(1.1754944e-38, t62))));
-    float t66 = fma(zenith, zenith, side * side);
-    float t67 = max(0.0, fma(light.radius_sin, light.radius_sin, -t66));
-    float t68 = sqrt(t67);
-    float t69 = sqrt(fma(light.radius_cos, light.radius_cos, t67));
-    float t70 = light.radius_cos * light.radius_cos / (t69 + t68);
-    float t71 = 1.0 / light.radius_sin;
-    float t72 = t70 * t71;
-    float t73 = -fma(t69, t68, t66) * t71;
-    float t74 = t72 * zenith;
-    float t75 = t72 * side;
-    float t76 = fma(light.elevation_cos, t73, -(light.elevation_sin * t74));
-    float t77 = fma(light.elevation_sin, t73, light.elevation_cos * t74);
+    float t61 = light.share * light.inv_solid_angle;
+    float t62 = 0.0 < cosine ? light.inv_above : 0.0;
+    float t63 = min(3.4028235e38, max(0.0, cosine));
+    float t64 = min(3.4028235e38, t61 / max(1.1754944e-38, min(3.4028235e38, abs(cosine))));
+    float t65 = fma(zenith, zenith, side * side);
+    float t66 = max(0.0, fma(light.radius_sin, light.radius_sin, -t65));
+    float t67 = sqrt(t66);
+    float t68 = sqrt(fma(light.radius_cos, light.radius_cos, t66));
+    float t69 = light.radius_cos * light.radius_cos / (t68 + t67);
+    float t70 = 1.0 / light.radius_sin;
+    float t71 = t69 * t70;
+    float t72 = -fma(t68, t67, t65) * t70;
+    float t73 = t71 * zenith;
+    float t74 = t71 * side;
+    float t75 = fma(light.elevation_cos, t72, -(light.elevation_sin * t73));
+    float t76 = fma(light.elevation_sin, t72, light.elevation_cos * t73);
     return spherecap_sample(
-        light.third_axis * t51 + light.sideways * side + light.up * t52, t70 * light.distance,
-        light.third_axis * t76 + light.sideways * t75 + light.up * t77, cosine,
-        t2 ? fma(t63, light.rest * t62, t64) : t63 * t62, t2 ? t65 : t63
+        light.third_axis * t50 + light.sideways * side + light.up * t51, t69 * light.distance,
+        light.third_axis * t75 + light.sideways * t74 + light.up * t76, cosine,
+        t2 ? fma(light.inv_above, light.rest * t63, t61) : light.inv_above * t63,
+        t2 ? min(3.4028235e38, fma(t62, light.rest, t64)) : t62
     );
 }
 
@@ -834,28 +832,25 @@ float spherecap_front_pdf_direction(spherecap_front_light light, vec3 direction)
     if (!light.is_sampled) {
         return 0.0;
     }
-    float t1 = dot(light.normal, direction);
-    bool t2 = dot(light.towards_centre, direction) < 0.0;
-    float t3 = t2 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
-    float t4 = t2 ? 1.0 : dot(light.sideways, direction);
-    float t5 = min(3.4028235e38, abs(t1));
-    float t6 = 0.0 < t1 ? light.inv_above : 0.0;
-    float t7 = 0.0 < light.share ? fma(t6, light.rest * t5, light.share * light.inv_solid_angle) : t6 * t5;
-    float t8 = fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? t7 : 0.0;
-    float t9 = dot(direction, direction);
-    return (0.998001 <= t9 && t9 <= 1.002001) ? t8 : 0.0;
+    bool t1 = dot(light.towards_centre, direction) < 0.0;
+    float t2 = t1 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
+    float t3 = t1 ? 1.0 : dot(light.sideways, direction);
+    float t4 = min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    float t5 = fma(light.inv_above, light.rest * t4, light.share * light.inv_solid_angle);
+    float t6 = fma(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.share ? t5 : light.inv_above * t4) : 0.0;
+    float t7 = dot(direction, direction);
+    return (0.998001 <= t7 && t7 <= 1.002001) ? t6 : 0.0;
 }
 
 float spherecap_front_pdf_on_sphere(spherecap_front_light light, vec3 direction) {
     if (!light.is_sampled) {
         return 0.0;
     }
-    float t1 = dot(light.normal, direction);
-    float t2 = min(3.4028235e38, abs(t1));
-    float t3 = 0.0 < t1 ? light.inv_above : 0.0;
-    float t4 = 0.0 < light.share ? fma(t3, light.rest * t2, light.share * light.inv_solid_angle) : t3 * t2;
-    float t5 = dot(direction, direction);
-    return (0.998001 <= t5 && t5 <= 1.002001) ? t4 : 0.0;
+    float t1 = min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    float t2 = fma(light.inv_above, light.rest * t1, light.share * light.inv_solid_angle);
+    float t3 = dot(direction, direction);
+    float t4 = (0.998001 <= t3 && t3 <= 1.002001) ? (0.0 < light.share ? t2 : light.inv_above * t1) : 0.0;
+    return t4;
 }
 
 float spherecap_front_importance(vec3 normal, vec3 centre, float radius, float defensive, float strength) {
@@ -990,21 +985,21 @@ spherecap_both_light spherecap_both_prepare(vec3 normal, vec3 centre, float radi
         t18 = t16;
         t19 = t17;
     }
-    bool t28 = 0.0 < t7;
-    precise float t29 = normal_z * t12;
-    float t30 = spherecap_fused(normal_y, t13, -t29);
-    precise float t31 = normal_x * t13;
-    float t32 = spherecap_fused(normal_z, t11, -t31);
-    precise float t33 = normal_y * t11;
-    float t34 = spherecap_fused(normal_x, t12, -t33);
-    float t35 = fma(t30, t30, fma(t32, t32, t34 * t34));
-    float up_x, up_y, up_z, t36, t37, t38, t39, t40;
-    if (t35 < t18 * 0.015625) {
-        float t41 = t30 - spherecap_lost(normal_z, t12, t29);
-        float t42 = t32 - spherecap_lost(normal_x, t13, t31);
-        float t43 = t34 - spherecap_lost(normal_y, t11, t33);
-        float t44 = fma(t41, t41, fma(t42, t42, t43 * t43));
-        bool t45 = t44 < t18 * 5.169879e-26;
+    precise float t28 = normal_z * t12;
+    float t29 = spherecap_fused(normal_y, t13, -t28);
+    precise float t30 = normal_x * t13;
+    float t31 = spherecap_fused(normal_z, t11, -t30);
+    precise float t32 = normal_y * t11;
+    float t33 = spherecap_fused(normal_x, t12, -t32);
+    float t34 = fma(t29, t29, fma(t31, t31, t33 * t33));
+    float up_x, up_y, up_z, t35, t36, t37, t38, t39;
+    if (t34 < t18 * 0.015625) {
+        float t40 = t29 - spherecap_lost(normal_z, t12, t28);
+        float t41 = t31 - spherecap_lost(normal_x, t13, t30);
+        float t42 = t33 - spherecap_lost(normal_y, t11, t32);
+        float t43 = fma(t40, t40, fma(t41, t41, t42 * t42));
+        bool t44 = 0.0 < t7;
+        bool t45 = t43 < t18 * 5.169879e-26;
         bool t46 = abs(t11) < abs(t13);
         float t47 = t46 ? 0.0 : -t12;
         float t48 = t46 ? -t13 : t11;
@@ -1012,183 +1007,188 @@ spherecap_both_light spherecap_both_prepare(vec3 normal, vec3 centre, float radi
         float t50 = sqrt(fma(t47, t47, fma(t48, t48, t49 * t49)));
         float t51 = sqrt(t18);
         float t52 = t51 * t50;
-        float t53 = sqrt(t44);
-        up_x = t45 ? (t28 ? normal_x : fma(t12, t49, -(t13 * t48)) / t52) : normal_x;
-        up_y = t45 ? (t28 ? normal_y : fma(t13, t47, -(t11 * t49)) / t52) : normal_y;
-        up_z = t45 ? (t28 ? normal_z : fma(t11, t48, -(t12 * t47)) / t52) : normal_z;
-        t36 = t45 ? t47 : t41;
-        t37 = t45 ? t48 : t42;
-        t38 = t45 ? t49 : t43;
-        t39 = t45 ? t50 : t53;
-        t40 = t45 ? (t28 ? 0.0 : t51) : t53;
+        float t53 = sqrt(t43);
+        up_x = t45 ? (t44 ? normal_x : fma(t12, t49, -(t13 * t48)) / t52) : normal_x;
+        up_y = t45 ? (t44 ? normal_y : fma(t13, t47, -(t11 * t49)) / t52) : normal_y;
+        up_z = t45 ? (t44 ? normal_z : fma(t11, t48, -(t12 * t47)) / t52) : normal_z;
+        t35 = t45 ? t47 : t40;
+        t36 = t45 ? t48 : t41;
+        t37 = t45 ? t49 : t42;
+        t38 = t45 ? t50 : t53;
+        t39 = t45 ? (t44 ? 0.0 : t51) : t53;
     } else {
-        t39 = sqrt(t35);
+        t38 = sqrt(t34);
         up_x = normal_x;
         up_y = normal_y;
         up_z = normal_z;
-        t36 = t30;
-        t37 = t32;
-        t38 = t34;
-        t40 = t39;
+        t35 = t29;
+        t36 = t31;
+        t37 = t33;
+        t39 = t38;
     }
-    precise float t54 = normal_x * t11;
-    precise float t55 = normal_y * t12;
-    precise float t56 = normal_z * t13;
-    precise float t57 = t54 + t55;
-    precise float t58 = t57 - t54;
-    precise float t59 = t57 + t56;
-    precise float t60 = t59 - t57;
-    float t61 = spherecap_lost(normal_x, t11, t54) + spherecap_lost(normal_y, t12, t55) + spherecap_lost(normal_z, t13, t56);
-    precise float t62 = t61 + (t54 - (t57 - t58) + (t55 - t58) + (t57 - (t59 - t60) + (t56 - t60)));
-    precise float t63 = t59 + t62;
-    precise float t64 = t62 - (t63 - t59);
-    float t65 = t14 - t63 - t64;
-    float t66 = t14 + t63 + t64;
-    float t67 = t65 * t66;
-    float t68 = sqrt(t19);
-    bool t69 = 0.0 < t19;
-    float t70;
+    bool t54 = 0.0 < t7;
+    precise float t55 = normal_x * t11;
+    precise float t56 = normal_y * t12;
+    precise float t57 = normal_z * t13;
+    precise float t58 = t55 + t56;
+    precise float t59 = t58 - t55;
+    precise float t60 = t58 + t57;
+    precise float t61 = t60 - t58;
+    float t62 = spherecap_lost(normal_x, t11, t55) + spherecap_lost(normal_y, t12, t56) + spherecap_lost(normal_z, t13, t57);
+    precise float t63 = t62 + (t55 - (t58 - t59) + (t56 - t59) + (t58 - (t60 - t61) + (t57 - t61)));
+    precise float t64 = t60 + t63;
+    precise float t65 = t63 - (t64 - t60);
+    float t66 = t14 - t64 - t65;
+    float t67 = t14 + t64 + t65;
+    float t68 = t66 * t67;
+    float t69 = sqrt(t18);
+    float t70 = 1.0 / t69;
+    float t71 = sqrt(t19);
+    float elevation_sin = t64 * t70;
+    bool t72 = 0.0 < t19;
+    bool t73 = 0.0 < t68 && t54 && t72;
+    bool t74 = 0.0 < elevation_sin;
+    float t75;
     float t_x = 0.0, t_y = 0.0, width = 0.0, kappa = 0.0, cut = 0.0, shape = 0.0;
     float shape_difference = 0.0, norm = 0.0, tau = 0.0, area = 0.0;
-    if (0.0 < t67 && t28 && t69) {
-        t70 = sqrt(t19 + t67);
-        float t71 = sqrt(t67);
-        float t72 = 1.0 / (t70 * t14);
-        float t73 = t72 * t14;
-        float t74 = t72 * t70;
-        t_x = t68 * t73;
-        t_y = t71 * t73;
-        float t75 = t_y * t_y;
-        kappa = abs(t63) * t74;
+    if (t73) {
+        t75 = sqrt(t19 + t68);
+        float t76 = sqrt(t68);
+        float t77 = 1.0 / (t75 * t14);
+        float t78 = t77 * t14;
+        float t79 = t77 * t75;
+        t_x = t71 * t78;
+        t_y = t76 * t78;
+        float t80 = t_y * t_y;
+        kappa = abs(t64) * t79;
         cut = kappa * t_x;
-        float t76 = t_x - 0.5;
-        float t77 = cut - 0.5;
-        float t78 = t76 * t76;
-        float t79 = t77 * t77;
-        float t80 = fma(0.05430631, t78, 0.080950715);
-        float t81 = fma(t80, t78, 0.1684019);
-        float t82 = fma(t81, t78, 0.32709444);
-        float t83 = fma(t82, t78, 0.5987523);
-        float t84 = fma(-0.026061837, t78, -0.06372378);
-        float t85 = fma(t84, t78, -0.11762552);
-        float t86 = fma(t85, t78, -0.23594604);
-        float t87 = fma(t86, t78, -0.44721135);
-        float t88 = fma(t87, t78, -0.7754678);
-        shape = fma(t88, t76, fma(t83, t78, 0.94559944));
-        float t89 = fma(t77, fma(fma(fma(fma(-0.026061837, t79, t84), t79, t85), t79, t86), t79, t87), fma(fma(fma(fma(0.05430631, t79, t80), t79, t81), t79, t82), t79, t83));
-        shape_difference = fma(t89, t76 + t77, t88);
+        float t81 = t_x - 0.5;
+        float t82 = cut - 0.5;
+        float t83 = t81 * t81;
+        float t84 = t82 * t82;
+        float t85 = fma(0.05430631, t83, 0.080950715);
+        float t86 = fma(t85, t83, 0.1684019);
+        float t87 = fma(t86, t83, 0.32709444);
+        float t88 = fma(t87, t83, 0.5987523);
+        float t89 = fma(-0.026061837, t83, -0.06372378);
+        float t90 = fma(t89, t83, -0.11762552);
+        float t91 = fma(t90, t83, -0.23594604);
+        float t92 = fma(t91, t83, -0.44721135);
+        float t93 = fma(t92, t83, -0.7754678);
+        shape = fma(t93, t81, fma(t88, t83, 0.94559944));
+        float t94 = fma(t82, fma(fma(fma(fma(-0.026061837, t84, t89), t84, t90), t84, t91), t84, t92), fma(fma(fma(fma(0.05430631, t84, t85), t84, t86), t84, t87), t84, t88));
+        shape_difference = fma(t94, t81 + t82, t93);
         norm = fma(cut, shape_difference, shape);
-        width = t75 / (1.0 + t_x);
-        tau = t71 * t74;
-        area = t75 * t_y * (min(t66, t65) * t74) * norm;
+        width = t80 / (1.0 + t_x);
+        tau = t76 * t79;
+        area = t80 * t_y * (min(t67, t66) * t79) * norm;
     } else {
-        t70 = t40;
+        t75 = t39;
     }
-    float t90 = sqrt(t18);
-    float t91 = 1.0 / t90;
-    float radius_sin = t14 * t91;
-    float radius_cos = t68 * t91;
-    float elevation_sin = t63 * t91;
-    float elevation_cos = t70 * t91;
-    float t92 = abs(elevation_sin);
+    float radius_sin = t14 * t70;
+    float radius_cos = t71 * t70;
+    float elevation_cos = t75 * t70;
+    float t95 = abs(elevation_sin);
     float climb = radius_sin * elevation_cos;
-    float rise = max(-(radius_cos * t92), t67 * (t91 * t91) / fma(radius_cos, t92, climb));
-    float t93 = radius_sin * radius_sin;
-    float t94 = fma(t93 * t92, 3.1415927, area);
-    bool t95 = 0.0 < elevation_sin;
-    float t96 = t95 ? t94 : area;
-    float t97 = t95 ? area : t94;
-    bool t98 = 9.8607613e-32 < t93;
-    bool t99 = t98 && t69;
-    vec3 towards_centre = vec3(t11, t12, t13) * t91;
-    float t100 = 1.0 / t39;
-    vec3 sideways = vec3(t36, t37, t38) * t100;
-    float on_surface = t28 ? 1.0 : 0.0;
-    float distance = t90 * (t8 ? 1.0 : unscale);
-    float projected_above = (9.403955e-38 < t96 && t99) ? t96 : 0.0;
-    float projected_below = (9.403955e-38 < t97 && t99) ? t97 : 0.0;
-    bool t101 = 0.0 < tau;
-    float inv_above = 0.0 < projected_above ? 1.0 / projected_above : 0.0;
-    float inv_below = 0.0 < projected_below ? 1.0 / projected_below : 0.0;
-    bool t102 = 0.0 < inv_above + inv_below;
-    float t103 = t95 ? inv_above : inv_below;
-    float defensive_share = t102 ? defensive : 0.0 < defensive || !(0.0 < on_surface) ? 1.0 : 0.0;
-    bool t104 = 0.0 < t103 && t101;
-    float t105 = t_y * t_y * t_y * shape * t103;
-    float t106 = t_y / radius_sin;
-    float t107 = fma(cut - t_x, shape_difference, shape);
-    float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0, t108 = 0.0;
-    if (t101) {
-        float t109 = 1.0 + kappa;
-        float t110 = t109 * shape;
-        float t111 = 1.0 / (norm * t110);
-        float t112 = sqrt(t111);
-        b_0 = norm * t112;
-        float t113 = 1.0 / (1.0 + cut);
-        float t114 = (t_x + kappa) * t113 - 0.5;
-        float t115 = t114 * t114;
-        float t116 = fma(fma(fma(-0.026061837, t115, -0.06372378), t115, -0.11762552), t115, -0.23594604);
-        float t117 = fma(fma(fma(0.05430631, t115, 0.080950715), t115, 0.1684019), t115, 0.32709444);
-        float t118 = fma(fma(fma(t116, t115, -0.44721135), t115, -0.7754678), t114, fma(fma(t117, t115, 0.5987523), t115, 0.94559944));
-        float t119 = t109 * t118 * (t113 * t113 * t113) * (t110 * t111);
-        float t120 = fma(t119, t110 * t112, -1.0);
-        float t121 = 1.0 - t119;
-        float t122 = fma(fma(30.011856, t120, fma(-41.541264, t121, -37.009792)), t120, fma(77.96775, t121, 7.470758));
-        float t123 = fma(fma(fma(15.716111 * t121, t121, 9.961183), t121, -2.61785), t121, 0.8681748);
-        float t124 = fma(fma(t122, t120, fma(fma(-49.13454, t121, -9.466533), t121, -1.5877596)), t120, t123);
-        float t125 = t120 * t124;
-        float t126 = fma(fma(7.295638, t120, -7.236236), t120, fma(-11.4868555 * t121 * t121, t121, 3.1255686));
-        float t127 = fma(fma(fma(13.728438, t121, -7.981878), t121, 2.025724), t121, -0.7334958);
-        float t128 = t120 * fma(t126, t120, t127);
-        float t129 = fma(fma(-23.220068, t121, 7.332055), t120, fma(fma(9.986537, t121, 25.22195) * t121, t121, -2.9581387));
-        float t130 = fma(fma(fma(-19.722994, t121, 4.6594768), t121, -0.89538246), t121, 0.5143498);
-        float t131 = t120 * fma(t129, t120, t130);
-        float t132 = fma(fma(fma(1.946617, t120, -3.077631), t120, 1.4945927), t120, -0.24140751);
-        float t133 = t120 * t132;
-        float t134 = t120 * fma(fma(0.38173297, t120, -0.30305624), t120, 0.05897375);
-        float t135 = 1.0 / (elevation_cos * elevation_cos);
-        float t136 = tau * tau;
-        float t137 = t136 * t135 / (1.0 + t_x);
-        float t138 = kappa - 0.5;
-        float t139 = cut - 0.5;
-        float t140 = t138 * t138;
-        float t141 = t139 * t139;
-        float t142 = fma(0.05430631, t140, 0.080950715);
-        float t143 = fma(t142, t140, 0.1684019);
-        float t144 = fma(t143, t140, 0.32709444);
-        float t145 = fma(fma(fma(fma(0.05430631, t141, t142), t141, t143), t141, t144), t141, fma(t144, t140, 0.5987523));
-        float t146 = fma(-0.026061837, t140, -0.06372378);
-        float t147 = fma(t146, t140, -0.11762552);
-        float t148 = fma(t147, t140, -0.23594604);
-        float t149 = fma(t148, t140, -0.44721135);
-        float t150 = fma(fma(fma(fma(-0.026061837, t141, t146), t141, t147), t141, t148), t141, t149);
-        float t151 = fma(kappa * t137, fma(fma(t139, t150, t145), t138 + t139, fma(t149, t140, -0.7754678)), fma(t107, t137 - kappa * kappa, kappa) * t135);
-        b_1 = t119 - b_0 + t125;
-        b_2 = t128 - t125;
-        b_3 = t131 - t128;
-        b_4 = t133 - t131;
-        b_5 = t134 - t133;
-        b_6 = -t134;
-        t108 = min(0.5, max(0.0, t136 * tau * (radius_cos + 1.0) * t151 * 0.31830987));
+    float rise = max(-(radius_cos * t95), t68 * (t70 * t70) / fma(radius_cos, t95, climb));
+    float t96 = radius_sin * radius_sin;
+    float t97 = fma(t96 * t95, 3.1415927, area);
+    float t98 = t74 ? t97 : area;
+    float t99 = t74 ? area : t97;
+    bool t100 = 9.8607613e-32 < t96;
+    bool t101 = t100 && t72;
+    vec3 towards_centre = vec3(t11, t12, t13) * t70;
+    float t102 = 1.0 / t38;
+    vec3 sideways = vec3(t35, t36, t37) * t102;
+    float on_surface = t54 ? 1.0 : 0.0;
+    float distance = t69 * (t8 ? 1.0 : unscale);
+    float projected_above = (9.403955e-38 < t98 && t101) ? t98 : 0.0;
+    float projected_below = (9.403955e-38 < t99 && t101) ? t99 : 0.0;
+    bool t103 = 0.0 < projected_above;
+    bool t104 = 0.0 < projected_below;
+    float inv_above = t103 ? 1.0 / projected_above : 0.0;
+    float inv_below = t104 ? 1.0 / projected_below : 0.0;
+    float t105 = t74 ? inv_above : inv_below;
+    bool t106 = 0.0 < t105 && t73;
+    float t107 = t_y * t_y * t_y * shape * t105;
+    float t108 = t_y / radius_sin;
+    float t109 = fma(cut - t_x, shape_difference, shape);
+    float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0;
+    if (t73) {
+        float t110 = 1.0 + kappa;
+        float t111 = t110 * shape;
+        float t112 = 1.0 / (norm * t111);
+        float t113 = sqrt(t112);
+        b_0 = norm * t113;
+        float t114 = 1.0 / (1.0 + cut);
+        float t115 = (t_x + kappa) * t114 - 0.5;
+        float t116 = t115 * t115 * t115;
+        float t117 = fma(fma(fma(-0.026061837, t115, 0.05430631), t115, -0.06372378), t116, fma(fma(0.080950715, t115, -0.11762552), t115, 0.1684019));
+        float t118 = fma(t117, t116, fma(fma(-0.23594604, t115, 0.32709444), t115, -0.44721135));
+        float t119 = t110 * fma(t118, t116, fma(fma(0.5987523, t115, -0.7754678), t115, 0.94559944));
+        float t120 = t119 * (t114 * t114 * t114) * (t111 * t112);
+        float t121 = fma(t120, t111 * t113, -1.0);
+        float t122 = 1.0 - t120;
+        float t123 = fma(fma(30.011856, t121, fma(-41.541264, t122, -37.009792)), t121, fma(77.96775, t122, 7.470758));
+        float t124 = fma(fma(fma(15.716111 * t122, t122, 9.961183), t122, -2.61785), t122, 0.8681748);
+        float t125 = fma(fma(t123, t121, fma(fma(-49.13454, t122, -9.466533), t122, -1.5877596)), t121, t124);
+        float t126 = t121 * t125;
+        float t127 = fma(fma(7.295638, t121, -7.236236), t121, fma(-11.4868555 * t122 * t122, t122, 3.1255686));
+        float t128 = fma(fma(fma(13.728438, t122, -7.981878), t122, 2.025724), t122, -0.7334958);
+        float t129 = t121 * fma(t127, t121, t128);
+        float t130 = fma(fma(-23.220068, t122, 7.332055), t121, fma(fma(9.986537, t122, 25.22195) * t122, t122, -2.9581387));
+        float t131 = fma(fma(fma(-19.722994, t122, 4.6594768), t122, -0.89538246), t122, 0.5143498);
+        float t132 = t121 * fma(t130, t121, t131);
+        float t133 = fma(fma(fma(1.946617, t121, -3.077631), t121, 1.4945927), t121, -0.24140751);
+        float t134 = t121 * t133;
+        float t135 = t121 * fma(fma(0.38173297, t121, -0.30305624), t121, 0.05897375);
+        b_1 = t120 - b_0 + t126;
+        b_2 = t129 - t126;
+        b_3 = t132 - t129;
+        b_4 = t134 - t132;
+        b_5 = t135 - t134;
+        b_6 = -t135;
     }
-    bool t152 = 0.0 < defensive_share;
-    float t153 = (0.0 < radius_cos && t98) ? t93 / (1.0 + radius_cos) : 0.0;
-    float inv_solid_angle = t152 ? (0.0 < t153 ? 0.15915494 / t153 : 0.0) : 0.0;
-    float t154 = 1.0 - t108;
-    bool t155 = 0.0 < inv_below;
-    bool t156 = 0.0 < inv_above;
-    bool t157 = 0.0 < inv_solid_angle && t152;
-    bool t158 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t102 || t157);
+    float defensive_share = (!(t103 || t104) && (0.0 < defensive || !(0.0 < on_surface))) ? 1.0 : defensive;
+    bool t136 = 0.0 < defensive_share;
+    float t137 = (0.0 < radius_cos && t100) ? t96 / (1.0 + radius_cos) : 0.0;
+    float inv_solid_angle = t136 ? (0.0 < t137 ? 0.15915494 / t137 : 0.0) : 0.0;
+    float t138 = 0.0;
+    if (0.0 < tau) {
+        float t139 = 1.0 / (elevation_cos * elevation_cos);
+        float t140 = tau * tau;
+        float t141 = t140 * t139 / (1.0 + t_x);
+        float t142 = kappa - 0.5;
+        float t143 = cut - 0.5;
+        float t144 = t142 * t142;
+        float t145 = t143 * t143;
+        float t146 = fma(0.05430631, t144, 0.080950715);
+        float t147 = fma(t146, t144, 0.1684019);
+        float t148 = fma(t147, t144, 0.32709444);
+        float t149 = fma(fma(fma(fma(0.05430631, t145, t146), t145, t147), t145, t148), t145, fma(t148, t144, 0.5987523));
+        float t150 = fma(-0.026061837, t144, -0.06372378);
+        float t151 = fma(t150, t144, -0.11762552);
+        float t152 = fma(t151, t144, -0.23594604);
+        float t153 = fma(t152, t144, -0.44721135);
+        float t154 = fma(fma(fma(fma(-0.026061837, t145, t150), t145, t151), t145, t152), t145, t153);
+        float t155 = fma(kappa * t141, fma(fma(t143, t154, t149), t142 + t143, fma(t153, t144, -0.7754678)), fma(t109, t141 - kappa * kappa, kappa) * t139);
+        t138 = min(0.5, max(0.0, t140 * tau * (radius_cos + 1.0) * t155 * 0.31830987));
+    }
+    float t156 = 1.0 - t138;
+    bool t157 = 0.0 < inv_below;
+    bool t158 = 0.0 < inv_above;
+    bool t159 = 0.0 < inv_solid_angle && t136;
+    bool t160 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (0.0 < inv_above + inv_below || t159);
     return spherecap_both_light(
-        t158, t158 ? t153 * 6.2831855 : 0.0, t158 ? projected_above : 0.0, towards_centre, sideways,
+        t160, t160 ? t137 * 6.2831855 : 0.0, t160 ? projected_above : 0.0, towards_centre, sideways,
         vec3(normal_x, normal_y, normal_z), vec3(up_x, up_y, up_z), on_surface, distance, radius_sin,
         radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
         1.0 - defensive_share, defensive, inv_above, inv_below,
-        t155 ? (t156 ? (t95 ? t154 : t108) : 0.0) : 1.0, t156 ? (t155 ? (t95 ? t108 : t154) : 0.0) : 1.0,
+        t157 ? (t158 ? (t74 ? t156 : t138) : 0.0) : 1.0, t158 ? (t157 ? (t74 ? t138 : t156) : 0.0) : 1.0,
         vec3(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        t152 ? t153 : 0.0, inv_solid_angle, t104 ? t105 : 0.0, t104 ? 1.0 / (1.0 - t105) : 1.0,
-        t104 ? t106 * t106 * t106 * t107 : 0.0, elevation_cos * radius_cos, radius_sin * t92, climb, b_0,
-        b_1, b_2, b_3, b_4, b_5, b_6
+        t136 ? t137 : 0.0, inv_solid_angle, t106 ? t107 : 0.0, t106 ? 1.0 / (1.0 - t107) : 1.0,
+        t106 ? t108 * t108 * t108 * (t109 * 0.53033006) : 0.0, elevation_cos * radius_cos, radius_sin * t95,
+        climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
 
@@ -1196,18 +1196,18 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     if (!light.is_sampled) {
         return spherecap_no_sample();
     }
-    float t1 = abs(light.elevation_sin);
-    bool t2 = 0.0 < light.elevation_sin;
+    bool t1 = 0.0 < light.elevation_sin;
+    float t2 = abs(light.elevation_sin);
     bool t3 = 0.0 < light.defensive_share;
     float t4 = min(0.99999994, max(5.9604645e-8, u0));
     float t5 = min(0.99999994, max(5.9604645e-8, u1));
     bool t6 = t4 < light.defensive_share && t3;
     float t7 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : light.defensive_rest);
-    float t8 = 0.0 < light.requested ? min(0.99999994, max(5.9604645e-8, t7)) : t4;
+    float t8 = (0.0 < light.requested && t3) ? min(0.99999994, max(5.9604645e-8, t7)) : t4;
     bool t9 = t8 < light.sides_share || t6;
     float t10 = (t9 ? t8 : t8 - light.sides_share) / (t9 ? light.sides_share : light.sides_rest);
-    bool t11 = t9 && t2;
-    bool t12 = !t9 && !t2;
+    bool t11 = t9 && t1;
+    bool t12 = !t9 && !t1;
     float t13 = t6 ? t8 : min(0.99999994, max(5.9604645e-8, t10));
     bool t14 = !(0.0 < light.tau) || t6;
     bool t15 = !(t11 || t12) && !t14;
@@ -1219,13 +1219,13 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     float t21 = min(0.99999994, max(5.9604645e-8, (t13 - light.crescent_share) * light.inv_rest));
     float t22 = t14 ? t13 : t21;
     float t23 = t14 ? 0.0 : light.beyond;
-    float t24 = 3.1415927 - t23;
+    float t24 = 1.6660811 - t23;
     float t25 = fma(t22, t24, t23);
     float t26 = (1.0 - t22) * t24;
     float t28, t29, t30;
     float t27 = 0.0;
     if (t17) {
-        t28 = min(t26, t25) * 0.53033006;
+        t28 = min(t26, t25);
         t29 = 1.0;
         t30 = 1.0;
     } else {
@@ -1239,82 +1239,81 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
         float t37 = (t15 ? light.width : t13) / t36;
         float t38 = t15 ? t37 : light.width;
         float t39 = t30 * t38;
-        float t40 = t39 * t39;
-        float t41 = fma(fma(fma(-0.00060778117, t40, -0.0027203285), t40, -0.10000902), t39, fma(fma(1.0676054e-5, t40, -0.011332183), t40, 1.0000001));
+        float t40 = fma(fma(fma(-0.00060778117, t39, 1.0676054e-5), t39, -0.0027203285), t39 * t39 * t39, fma(fma(-0.011332183, t39, -0.10000902), t39, 1.0000001));
         t27 = t15 ? t35 : t31;
         t28 = t15 ? t13 : min(0.99999994, max(5.9604645e-8, t37));
-        t29 = t38 * t41;
+        t29 = t38 * t40;
     }
-    float t42 = spherecap_float_of_bits(fma(spherecap_bits(t28), -0.33333334, 1419900500.0));
-    float t43 = fma(-(t28 * t42), t42 * t42, 1.0);
+    float t41 = spherecap_float_of_bits(fma(spherecap_bits(t28), -0.33333334, 1419900500.0));
+    float t42 = t28 * t41;
+    float t43 = fma(-t42, t41 * t41, 1.0);
     float t44 = t43 * t43;
-    float t45 = fma(fma(fma(0.110958695, t44, 0.14403293), t44, 0.22222222), t43, fma(fma(0.12482853, t44, 0.17283951), t44, 0.33333334));
-    float t46 = t29 * (t28 * fma(t42, t43 * t45, t42));
+    float t45 = fma(fma(0.12666093, t44, fma(0.14565912, t43, 0.17283025)), t44, fma(0.22221696, t43, 0.33333334));
+    float t46 = t29 * fma(t42 * t43, t45, t42);
     float t47 = t46 * t30;
-    float t48 = t47 * t47;
-    float t49 = fma(fma(fma(-0.063446075, t48, -0.056249518), t48, 0.0074712755), t48, 0.09996679);
-    float t50 = fma(fma(fma(0.022114987, t48, 0.085662976), t48, 0.030445365), t48, 0.03209764);
-    float t51 = t46 * fma(t49, t47, fma(t50, t48, 1.0000004));
-    float t52 = t17 ? min(1.0, t51) : t51;
-    float t53 = t30 * t52;
-    float t54 = 2.0 - t53;
-    float t55 = t52 * t54;
-    float t56 = sqrt(t55);
-    float side, t57, t58, t59, t60;
+    float t48 = t47 * t47 * t47;
+    float t49 = fma(fma(fma(0.022114987, t47, -0.063446075), t47, 0.085662976), t48, fma(fma(-0.056249518, t47, 0.030445365), t47, 0.0074712755));
+    float t50 = t46 * fma(t49, t48, fma(fma(0.03209764, t47, 0.09996679), t47, 1.0000004));
+    float t51 = t17 ? min(1.0, t50) : t50;
+    float t52 = t30 * t51;
+    float t53 = 2.0 - t52;
+    float t54 = t51 * t53;
+    float t55 = sqrt(t54);
+    float side, t56, t57, t58, t59;
     if (t17) {
-        float t61 = t25 - t26 < 0.0 ? t53 : t54;
-        float t62 = t55 * t20;
+        float t60 = t25 - t26 < 0.0 ? t52 : t53;
         if (t6) {
-            float t63 = light.height * (1.0 - t62);
-            float t64 = sqrt(light.height * (2.0 - t63));
-            t59 = (t61 - 1.0) * t64;
-            float t65 = 1.0 - t63;
-            t58 = fma(light.elevation_sin, t65, light.elevation_cos * t59);
-            t57 = fma(light.elevation_cos, t65, -(light.elevation_sin * t59));
-            side = t56 * t19 * t64;
-            t60 = t58 * light.on_surface;
+            float t61 = light.height * (1.0 - t54 * t20);
+            float t62 = sqrt(light.height * (2.0 - t61));
+            t58 = (t60 - 1.0) * t62;
+            float t63 = 1.0 - t61;
+            t57 = fma(light.elevation_sin, t63, light.elevation_cos * t58);
+            t56 = fma(light.elevation_cos, t63, -(light.elevation_sin * t58));
+            side = t55 * t19 * t62;
+            t59 = t57 * light.on_surface;
         } else {
-            float t66 = 1.0 - t61;
-            float t67 = max(0.0, fma(light.climb, t61, -light.rise));
-            t58 = sqrt(fma(t67, t67, light.radius_sin * light.radius_sin * t62));
-            float t68 = t1 * light.radius_cos;
-            float t69 = fma(light.elevation_cos * t66, fma(light.climb, t66, -2.0 * t68), light.radius_sin * t62);
-            t59 = light.radius_sin * fma(light.elevation_cos, t69 / (t58 + t68), -(t1 * t1 * t66));
-            t57 = fma(light.half_axis, t66, light.middle);
-            side = light.radius_sin * t56 * t19;
-            t60 = t58;
+            float t64 = 1.0 - t60;
+            float t65 = light.radius_sin * light.radius_sin * t20;
+            float t66 = max(0.0, fma(light.climb, t60, -light.rise));
+            t57 = sqrt(fma(t54, t65, t66 * t66));
+            float t67 = t2 * light.radius_cos;
+            float t68 = light.climb * t64;
+            t58 = fma(light.elevation_cos, fma(t68, t68 - 2.0 * t67, t54 * t65) / (t57 + t67), -(light.half_axis * t2 * t64));
+            t56 = fma(light.half_axis, t64, light.middle);
+            side = light.radius_sin * t55 * t19;
+            t59 = t57;
         }
     } else {
-        t58 = t56 * t27;
-        t57 = 1.0 - t53;
-        side = t56 * t19;
-        t59 = fma(light.elevation_cos, t58, -((t15 ? -t1 : t1) * t57));
-        t60 = t58;
+        t57 = t55 * t27;
+        t56 = 1.0 - t52;
+        side = t55 * t19;
+        t58 = fma(light.elevation_cos, t57, -((t15 ? -t2 : t2) * t56));
+        t59 = t57;
     }
-    float t70 = t9 ? 1.0 : -1.0;
-    float zenith = t59 * t70;
-    float cosine = t60 * t70;
-    float t71 = t58 * t70;
+    float t69 = t9 ? 1.0 : -1.0;
+    float zenith = t58 * t69;
+    float cosine = t59 * t69;
+    float t70 = t57 * t69;
+    float t71 = light.defensive_share * light.inv_solid_angle;
     float t72 = min(3.4028235e38, abs(cosine));
     float t73 = 0.0 < cosine ? light.inv_above * light.sides_share : cosine < 0.0 ? light.inv_below * light.sides_rest : 0.0;
-    float t74 = light.defensive_share * light.inv_solid_angle;
-    float t75 = fma(t73, light.defensive_rest, min(3.4028235e38, t74 / max(1.1754944e-38, t72)));
-    float t76 = fma(zenith, zenith, side * side);
-    float t77 = max(0.0, fma(light.radius_sin, light.radius_sin, -t76));
-    float t78 = sqrt(t77);
-    float t79 = sqrt(fma(light.radius_cos, light.radius_cos, t77));
-    float t80 = light.radius_cos * light.radius_cos / (t79 + t78);
-    float t81 = 1.0 / light.radius_sin;
-    float t82 = t80 * t81;
-    float t83 = -fma(t79, t78, t76) * t81;
-    float t84 = t82 * zenith;
-    float t85 = t82 * side;
-    float t86 = fma(light.elevation_cos, t83, -(light.elevation_sin * t84));
-    float t87 = fma(light.elevation_sin, t83, light.elevation_cos * t84);
+    float t74 = fma(t73, light.defensive_rest, min(3.4028235e38, t71 / max(1.1754944e-38, t72)));
+    float t75 = fma(zenith, zenith, side * side);
+    float t76 = max(0.0, fma(light.radius_sin, light.radius_sin, -t75));
+    float t77 = sqrt(t76);
+    float t78 = sqrt(fma(light.radius_cos, light.radius_cos, t76));
+    float t79 = light.radius_cos * light.radius_cos / (t78 + t77);
+    float t80 = 1.0 / light.radius_sin;
+    float t81 = t79 * t80;
+    float t82 = -fma(t78, t77, t75) * t80;
+    float t83 = t81 * zenith;
+    float t84 = t81 * side;
+    float t85 = fma(light.elevation_cos, t82, -(light.elevation_sin * t83));
+    float t86 = fma(light.elevation_sin, t82, light.elevation_cos * t83);
     return spherecap_sample(
-        light.third_axis * t57 + light.sideways * side + light.up * t71, t80 * light.distance,
-        light.third_axis * t86 + light.sideways * t85 + light.up * t87, cosine,
-        t3 ? fma(t73, light.defensive_rest * t72, t74) : t73 * t72, t3 ? min(3.4028235e38, t75) : t73
+        light.third_axis * t56 + light.sideways * side + light.up * t70, t79 * light.distance,
+        light.third_axis * t85 + light.sideways * t84 + light.up * t86, cosine,
+        t3 ? fma(t73, light.defensive_rest * t72, t71) : t73 * t72, t3 ? min(3.4028235e38, t74) : t73
     );
 }
 

@@ -190,9 +190,14 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
     let t58 = t7 - t56 - t57;
     let t59 = t7 + t56 + t57;
     let t60 = t58 * t59;
-    let t61 = sqrt(t12);
-    let t62 = 0.0 < t12;
-    var t63: f32;
+    let t61 = sqrt(t11);
+    let t62 = 1.0 / t61;
+    let t63 = sqrt(t12);
+    let elevation_sin = t56 * t62;
+    let t64 = 0.0 < t12;
+    let t65 = 0.0 < t60 && t64;
+    let t66 = 0.0 < elevation_sin;
+    var t67: f32;
     var t_x = 0.0;
     var t_y = 0.0;
     var width = 0.0;
@@ -203,65 +208,60 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
     var norm = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    if (0.0 < t60 && t62) {
-        t63 = sqrt(t12 + t60);
-        let t64 = sqrt(t60);
-        let t65 = 1.0 / (t63 * t7);
-        let t66 = t65 * t7;
-        let t67 = t65 * t63;
-        t_x = t61 * t66;
-        t_y = t64 * t66;
-        let t68 = t_y * t_y;
-        kappa = abs(t56) * t67;
+    if (t65) {
+        t67 = sqrt(t12 + t60);
+        let t68 = sqrt(t60);
+        let t69 = 1.0 / (t67 * t7);
+        let t70 = t69 * t7;
+        let t71 = t69 * t67;
+        t_x = t63 * t70;
+        t_y = t68 * t70;
+        let t72 = t_y * t_y;
+        kappa = abs(t56) * t71;
         cut = kappa * t_x;
-        let t69 = t_x - 0.5;
-        let t70 = cut - 0.5;
-        let t71 = t69 * t69;
-        let t72 = t70 * t70;
-        let t73 = fma(0.05430631, t71, 0.080950715);
-        let t74 = fma(t73, t71, 0.1684019);
-        let t75 = fma(t74, t71, 0.32709444);
-        let t76 = fma(t75, t71, 0.5987523);
-        let t77 = fma(-0.026061837, t71, -0.06372378);
-        let t78 = fma(t77, t71, -0.11762552);
-        let t79 = fma(t78, t71, -0.23594604);
-        let t80 = fma(t79, t71, -0.44721135);
-        let t81 = fma(t80, t71, -0.7754678);
-        shape = fma(t81, t69, fma(t76, t71, 0.94559944));
-        let t82 = fma(t70, fma(fma(fma(fma(-0.026061837, t72, t77), t72, t78), t72, t79), t72, t80), fma(fma(fma(fma(0.05430631, t72, t73), t72, t74), t72, t75), t72, t76));
-        shape_difference = fma(t82, t69 + t70, t81);
+        let t73 = t_x - 0.5;
+        let t74 = cut - 0.5;
+        let t75 = t73 * t73;
+        let t76 = t74 * t74;
+        let t77 = fma(0.05430631, t75, 0.080950715);
+        let t78 = fma(t77, t75, 0.1684019);
+        let t79 = fma(t78, t75, 0.32709444);
+        let t80 = fma(t79, t75, 0.5987523);
+        let t81 = fma(-0.026061837, t75, -0.06372378);
+        let t82 = fma(t81, t75, -0.11762552);
+        let t83 = fma(t82, t75, -0.23594604);
+        let t84 = fma(t83, t75, -0.44721135);
+        let t85 = fma(t84, t75, -0.7754678);
+        shape = fma(t85, t73, fma(t80, t75, 0.94559944));
+        let t86 = fma(t74, fma(fma(fma(fma(-0.026061837, t76, t81), t76, t82), t76, t83), t76, t84), fma(fma(fma(fma(0.05430631, t76, t77), t76, t78), t76, t79), t76, t80));
+        shape_difference = fma(t86, t73 + t74, t85);
         norm = fma(cut, shape_difference, shape);
-        width = t68 / (1.0 + t_x);
-        tau = t64 * t67;
-        area = t68 * t_y * (min(t59, t58) * t67) * norm;
+        width = t72 / (1.0 + t_x);
+        tau = t68 * t71;
+        area = t72 * t_y * (min(t59, t58) * t71) * norm;
     } else {
-        t63 = t33;
+        t67 = t33;
     }
-    let t83 = sqrt(t11);
-    let t84 = 1.0 / t83;
-    let radius_sin = t7 * t84;
-    let radius_cos = t61 * t84;
-    let elevation_sin = t56 * t84;
-    let elevation_cos = t63 * t84;
-    let t85 = abs(elevation_sin);
+    let radius_sin = t7 * t62;
+    let radius_cos = t63 * t62;
+    let elevation_cos = t67 * t62;
+    let t87 = abs(elevation_sin);
     let climb = radius_sin * elevation_cos;
-    let rise = max(-(radius_cos * t85), t60 * (t84 * t84) / fma(radius_cos, t85, climb));
-    let t86 = radius_sin * radius_sin;
-    let t87 = 0.0 < elevation_sin;
-    let t88 = select(area, fma(t86 * t85, 3.1415927, area), t87);
-    let t89 = 9.8607613e-32 < t86;
-    let towards_centre = vec3f(t4, t5, t6) * t84;
-    let t90 = 1.0 / t32;
-    let sideways = vec3f(t29, t30, t31) * t90;
-    let distance = t83 * select(unscale, 1.0, t1);
-    let projected_above = select(0.0, t88, 9.403955e-38 < t88 && t89 && t62);
-    let t91 = 0.0 < tau;
+    let rise = max(-(radius_cos * t87), t60 * (t62 * t62) / fma(radius_cos, t87, climb));
+    let t88 = radius_sin * radius_sin;
+    let t89 = select(area, fma(t88 * t87, 3.1415927, area), t66);
+    let t90 = 9.8607613e-32 < t88;
+    let towards_centre = vec3f(t4, t5, t6) * t62;
+    let t91 = 1.0 / t32;
+    let sideways = vec3f(t29, t30, t31) * t91;
+    let distance = t61 * select(unscale, 1.0, t1);
+    let projected_above = select(0.0, t89, 9.403955e-38 < t89 && t90 && t64);
     let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
-    let t92 = select(0.0, inv_above, t87);
-    let t93 = t91 && t87 && 0.0 < t92;
+    let t92 = select(0.0, inv_above, t66);
+    let t93 = t65 && t66 && 0.0 < t92;
     let t94 = t_y * t_y * t_y * shape * t92;
     let t95 = t_y / radius_sin;
-    let beyond = select(0.0, t95 * t95 * t95 * fma(cut - t_x, shape_difference, shape), t93);
+    let beyond = select(0.0, t95 * t95 * t95 * (fma(cut - t_x, shape_difference, shape) * 0.53033006), t93);
     var b_0 = 0.0;
     var b_1 = 0.0;
     var b_2 = 0.0;
@@ -269,7 +269,7 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
     var b_4 = 0.0;
     var b_5 = 0.0;
     var b_6 = 0.0;
-    if (t91 && !t87) {
+    if (t65 && !t66) {
         let t96 = 1.0 + kappa;
         let t97 = t96 * shape;
         let t98 = 1.0 / (norm * t97);
@@ -277,11 +277,11 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
         b_0 = norm * t99;
         let t100 = 1.0 / (1.0 + cut);
         let t101 = (t_x + kappa) * t100 - 0.5;
-        let t102 = t101 * t101;
-        let t103 = fma(fma(fma(-0.026061837, t102, -0.06372378), t102, -0.11762552), t102, -0.23594604);
-        let t104 = fma(fma(fma(0.05430631, t102, 0.080950715), t102, 0.1684019), t102, 0.32709444);
-        let t105 = fma(fma(fma(t103, t102, -0.44721135), t102, -0.7754678), t101, fma(fma(t104, t102, 0.5987523), t102, 0.94559944));
-        let t106 = t96 * t105 * (t100 * t100 * t100) * (t97 * t98);
+        let t102 = t101 * t101 * t101;
+        let t103 = fma(fma(fma(-0.026061837, t101, 0.05430631), t101, -0.06372378), t102, fma(fma(0.080950715, t101, -0.11762552), t101, 0.1684019));
+        let t104 = fma(t103, t102, fma(fma(-0.23594604, t101, 0.32709444), t101, -0.44721135));
+        let t105 = t96 * fma(t104, t102, fma(fma(0.5987523, t101, -0.7754678), t101, 0.94559944));
+        let t106 = t105 * (t100 * t100 * t100) * (t97 * t98);
         let t107 = fma(t106, t97 * t99, -1.0);
         let t108 = 1.0 - t106;
         let t109 = fma(fma(30.011856, t107, fma(-41.541264, t108, -37.009792)), t107, fma(77.96775, t108, 7.470758));
@@ -305,12 +305,12 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
         b_6 = -t121;
     }
     let t122 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
-    let t123 = select(0.0, t86 / (1.0 + radius_cos), 0.0 < radius_cos && t89) * 6.2831855;
+    let t123 = select(0.0, t88 / (1.0 + radius_cos), 0.0 < radius_cos && t90) * 6.2831855;
     return spherecap_surface_light(
         t122, select(0.0, t123, t122), select(0.0, projected_above, t122), towards_centre, sideways, normal,
         distance, radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise,
         inv_above, cross(sideways, normal), select(0.0, t94, t93), select(1.0, 1.0 / (1.0 - t94), t93),
-        beyond, elevation_cos * radius_cos, radius_sin * t85, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
+        beyond, elevation_cos * radius_cos, radius_sin * t87, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
 
@@ -320,18 +320,18 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     }
     let t1 = abs(light.elevation_sin);
     let t2 = 0.0 < light.tau;
-    let t3 = !(0.0 < light.elevation_sin) && t2;
-    let t4 = min(0.99999994, max(5.9604645e-8, u0));
-    let t5 = min(0.99999994, max(5.9604645e-8, u1));
-    let t6 = light.crescent_share <= t4 && !t3;
+    let t3 = min(0.99999994, max(5.9604645e-8, u0));
+    let t4 = min(0.99999994, max(5.9604645e-8, u1));
+    let t5 = !(0.0 < light.elevation_sin) && t2;
+    let t6 = light.crescent_share <= t3 && !t5;
     let t7 = !t2 || t6;
-    let t8 = 1.0 - t5;
-    let t9 = t5 - t8;
-    let t10 = 4.0 * t5 * t8;
-    let t11 = min(0.99999994, max(5.9604645e-8, (t4 - light.crescent_share) * light.inv_rest));
-    let t12 = select(t4, t11, t2);
+    let t8 = 1.0 - t4;
+    let t9 = t4 - t8;
+    let t10 = 4.0 * t4 * t8;
+    let t11 = min(0.99999994, max(5.9604645e-8, (t3 - light.crescent_share) * light.inv_rest));
+    let t12 = select(t3, t11, t2);
     let t13 = select(0.0, light.beyond, t2);
-    let t14 = 3.1415927 - t13;
+    let t14 = 1.6660811 - t13;
     let t15 = fma(t12, t14, t13);
     let t16 = (1.0 - t12) * t14;
     var t18: f32;
@@ -339,7 +339,7 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     var t20: f32;
     var t17 = 0.0;
     if (t7) {
-        t18 = min(t16, t15) * 0.53033006;
+        t18 = min(t16, t15);
         t19 = 1.0;
         t20 = 1.0;
     } else {
@@ -348,70 +348,68 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
         let t23 = t21 * t22;
         let t24 = sqrt(fma(t9, t9, t23 * t23));
         let t25 = light.tau * t23;
-        t20 = select(1.0, fma(t9, t9, t25 * t25), t3);
-        let t26 = select(light.crescent_share, fma(light.kappa, t23, t24) * fma(light.cut, t23, t24), t3);
-        let t27 = select(t4, light.width, t3) / t26;
-        let t28 = select(light.width, t27, t3);
+        t20 = select(1.0, fma(t9, t9, t25 * t25), t5);
+        let t26 = select(light.crescent_share, fma(light.kappa, t23, t24) * fma(light.cut, t23, t24), t5);
+        let t27 = select(t3, light.width, t5) / t26;
+        let t28 = select(light.width, t27, t5);
         let t29 = t20 * t28;
-        let t30 = t29 * t29;
-        let t31 = fma(fma(fma(-0.00060778117, t30, -0.0027203285), t30, -0.10000902), t29, fma(fma(1.0676054e-5, t30, -0.011332183), t30, 1.0000001));
-        t17 = select(t21, t25, t3);
-        t18 = select(min(0.99999994, max(5.9604645e-8, t27)), t4, t3);
-        t19 = t28 * t31;
+        let t30 = fma(fma(fma(-0.00060778117, t29, 1.0676054e-5), t29, -0.0027203285), t29 * t29 * t29, fma(fma(-0.011332183, t29, -0.10000902), t29, 1.0000001));
+        t17 = select(t21, t25, t5);
+        t18 = select(min(0.99999994, max(5.9604645e-8, t27)), t3, t5);
+        t19 = t28 * t30;
     }
-    let t32 = spherecap_float_of_bits(fma(spherecap_bits(t18), -0.33333334, 1419900500.0));
-    let t33 = fma(-(t18 * t32), t32 * t32, 1.0);
+    let t31 = spherecap_float_of_bits(fma(spherecap_bits(t18), -0.33333334, 1419900500.0));
+    let t32 = t18 * t31;
+    let t33 = fma(-t32, t31 * t31, 1.0);
     let t34 = t33 * t33;
-    let t35 = fma(fma(fma(0.110958695, t34, 0.14403293), t34, 0.22222222), t33, fma(fma(0.12482853, t34, 0.17283951), t34, 0.33333334));
-    let t36 = t19 * (t18 * fma(t32, t33 * t35, t32));
+    let t35 = fma(fma(0.12666093, t34, fma(0.14565912, t33, 0.17283025)), t34, fma(0.22221696, t33, 0.33333334));
+    let t36 = t19 * fma(t32 * t33, t35, t32);
     let t37 = t36 * t20;
-    let t38 = t37 * t37;
-    let t39 = fma(fma(fma(-0.063446075, t38, -0.056249518), t38, 0.0074712755), t38, 0.09996679);
-    let t40 = fma(fma(fma(0.022114987, t38, 0.085662976), t38, 0.030445365), t38, 0.03209764);
-    let t41 = t36 * fma(t39, t37, fma(t40, t38, 1.0000004));
-    let t42 = select(t41, min(1.0, t41), t7);
-    let t43 = t20 * t42;
-    let t44 = 2.0 - t43;
-    let t45 = t42 * t44;
-    let t46 = sqrt(t45);
+    let t38 = t37 * t37 * t37;
+    let t39 = fma(fma(fma(0.022114987, t37, -0.063446075), t37, 0.085662976), t38, fma(fma(-0.056249518, t37, 0.030445365), t37, 0.0074712755));
+    let t40 = t36 * fma(t39, t38, fma(fma(0.03209764, t37, 0.09996679), t37, 1.0000004));
+    let t41 = select(t40, min(1.0, t40), t7);
+    let t42 = t20 * t41;
+    let t43 = 2.0 - t42;
+    let t44 = t41 * t43;
+    let t45 = sqrt(t44);
     var zenith: f32;
     var side: f32;
     var cosine: f32;
-    var t47: f32;
+    var t46: f32;
     if (t7) {
-        let t48 = select(t44, t43, t15 - t16 < 0.0);
-        let t49 = t45 * t10;
-        let t50 = 1.0 - t48;
-        let t51 = max(0.0, fma(light.climb, t48, -light.rise));
-        cosine = sqrt(fma(t51, t51, light.radius_sin * light.radius_sin * t49));
-        let t52 = t1 * light.radius_cos;
-        let t53 = fma(light.elevation_cos * t50, fma(light.climb, t50, -2.0 * t52), light.radius_sin * t49);
-        zenith = light.radius_sin * fma(light.elevation_cos, t53 / (cosine + t52), -(t1 * t1 * t50));
-        side = light.radius_sin * t46 * t9;
-        t47 = fma(light.half_axis, t50, light.middle);
+        let t47 = select(t43, t42, t15 - t16 < 0.0);
+        let t48 = 1.0 - t47;
+        let t49 = light.radius_sin * light.radius_sin * t10;
+        let t50 = max(0.0, fma(light.climb, t47, -light.rise));
+        cosine = sqrt(fma(t44, t49, t50 * t50));
+        let t51 = t1 * light.radius_cos;
+        let t52 = light.climb * t48;
+        zenith = fma(light.elevation_cos, fma(t52, t52 - 2.0 * t51, t44 * t49) / (cosine + t51), -(light.half_axis * t1 * t48));
+        side = light.radius_sin * t45 * t9;
+        t46 = fma(light.half_axis, t48, light.middle);
     } else {
-        cosine = t46 * t17;
-        t47 = 1.0 - t43;
-        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t3) * t47));
-        side = t46 * t9;
+        cosine = t45 * t17;
+        t46 = 1.0 - t42;
+        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t5) * t46));
+        side = t45 * t9;
     }
-    let t54 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t55 = fma(zenith, zenith, side * side);
-    let t56 = max(0.0, fma(light.radius_sin, light.radius_sin, -t55));
-    let t57 = sqrt(t56);
-    let t58 = sqrt(fma(light.radius_cos, light.radius_cos, t56));
-    let t59 = light.radius_cos * light.radius_cos / (t58 + t57);
-    let t60 = 1.0 / light.radius_sin;
-    let t61 = t59 * t60;
-    let t62 = -fma(t58, t57, t55) * t60;
-    let t63 = t61 * zenith;
-    let t64 = t61 * side;
-    let t65 = fma(light.elevation_cos, t62, -(light.elevation_sin * t63));
-    let t66 = fma(light.elevation_sin, t62, light.elevation_cos * t63);
+    let t53 = fma(zenith, zenith, side * side);
+    let t54 = max(0.0, fma(light.radius_sin, light.radius_sin, -t53));
+    let t55 = sqrt(t54);
+    let t56 = sqrt(fma(light.radius_cos, light.radius_cos, t54));
+    let t57 = light.radius_cos * light.radius_cos / (t56 + t55);
+    let t58 = 1.0 / light.radius_sin;
+    let t59 = t57 * t58;
+    let t60 = -fma(t56, t55, t53) * t58;
+    let t61 = t59 * zenith;
+    let t62 = t59 * side;
+    let t63 = fma(light.elevation_cos, t60, -(light.elevation_sin * t61));
+    let t64 = fma(light.elevation_sin, t60, light.elevation_cos * t61);
     return spherecap_sample(
-        light.third_axis * t47 + light.sideways * side + light.normal * cosine, t59 * light.distance,
-        light.third_axis * t65 + light.sideways * t64 + light.normal * t66, cosine,
-        t54 * min(3.4028235e38, abs(cosine)), t54
+        light.third_axis * t46 + light.sideways * side + light.normal * cosine, t57 * light.distance,
+        light.third_axis * t63 + light.sideways * t62 + light.normal * t64, cosine,
+        light.inv_above * min(3.4028235e38, max(0.0, cosine)), select(0.0, light.inv_above, 0.0 < cosine)
     );
 }
 
@@ -423,11 +421,11 @@ fn spherecap_surface_pdf_direction(light: spherecap_surface_light, direction: ve
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = dot(light.normal, direction);
-    let t2 = dot(light.towards_centre, direction) < 0.0;
-    let t3 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t2);
-    let t4 = select(dot(light.sideways, direction), 1.0, t2);
-    let t5 = select(0.0, select(0.0, light.inv_above, 0.0 < t1) * min(3.4028235e38, abs(t1)), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t1 = dot(light.towards_centre, direction) < 0.0;
+    let t2 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t1);
+    let t3 = select(dot(light.sideways, direction), 1.0, t1);
+    let t4 = light.inv_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    let t5 = select(0.0, t4, fma(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019);
     let t6 = dot(direction, direction);
     return select(0.0, t5, 0.998001 <= t6 && t6 <= 1.002001);
 }
@@ -436,10 +434,9 @@ fn spherecap_surface_pdf_on_sphere(light: spherecap_surface_light, direction: ve
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = dot(light.normal, direction);
+    let t1 = light.inv_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
     let t2 = dot(direction, direction);
-    let t3 = select(0.0, select(0.0, light.inv_above, 0.0 < t1) * min(3.4028235e38, abs(t1)), 0.998001 <= t2 && t2 <= 1.002001);
-    return t3;
+    return select(0.0, t1, 0.998001 <= t2 && t2 <= 1.002001);
 }
 
 fn spherecap_surface_importance(normal: vec3f, centre: vec3f, radius: f32, strength: f32) -> f32 {
@@ -560,28 +557,28 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
         t18 = t16;
         t19 = t17;
     }
-    let t29 = 0.0 < t7;
-    let t30 = spherecap_keep(normal_z * t12, unknown_zero);
-    let t31 = spherecap_fused(normal_y, t13, -t30, unknown_zero);
-    let t32 = spherecap_keep(normal_x * t13, unknown_zero);
-    let t33 = spherecap_fused(normal_z, t11, -t32, unknown_zero);
-    let t34 = spherecap_keep(normal_y * t11, unknown_zero);
-    let t35 = spherecap_fused(normal_x, t12, -t34, unknown_zero);
-    let t36 = fma(t31, t31, fma(t33, t33, t35 * t35));
+    let t29 = spherecap_keep(normal_z * t12, unknown_zero);
+    let t30 = spherecap_fused(normal_y, t13, -t29, unknown_zero);
+    let t31 = spherecap_keep(normal_x * t13, unknown_zero);
+    let t32 = spherecap_fused(normal_z, t11, -t31, unknown_zero);
+    let t33 = spherecap_keep(normal_y * t11, unknown_zero);
+    let t34 = spherecap_fused(normal_x, t12, -t33, unknown_zero);
+    let t35 = fma(t30, t30, fma(t32, t32, t34 * t34));
     var up_x: f32;
     var up_y: f32;
     var up_z: f32;
+    var t36: f32;
     var t37: f32;
     var t38: f32;
     var t39: f32;
     var t40: f32;
-    var t41: f32;
-    if (t36 < t18 * 0.015625) {
-        let t42 = t31 - spherecap_lost(normal_z, t12, t30, unknown_zero);
-        let t43 = t33 - spherecap_lost(normal_x, t13, t32, unknown_zero);
-        let t44 = t35 - spherecap_lost(normal_y, t11, t34, unknown_zero);
-        let t45 = fma(t42, t42, fma(t43, t43, t44 * t44));
-        let t46 = t45 < t18 * 5.169879e-26;
+    if (t35 < t18 * 0.015625) {
+        let t41 = t30 - spherecap_lost(normal_z, t12, t29, unknown_zero);
+        let t42 = t32 - spherecap_lost(normal_x, t13, t31, unknown_zero);
+        let t43 = t34 - spherecap_lost(normal_y, t11, t33, unknown_zero);
+        let t44 = fma(t41, t41, fma(t42, t42, t43 * t43));
+        let t45 = 0.0 < t7;
+        let t46 = t44 < t18 * 5.169879e-26;
         let t47 = abs(t11) < abs(t13);
         let t48 = select(-t12, 0.0, t47);
         let t49 = select(t11, -t13, t47);
@@ -589,45 +586,51 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
         let t51 = sqrt(fma(t48, t48, fma(t49, t49, t50 * t50)));
         let t52 = sqrt(t18);
         let t53 = t52 * t51;
-        let t54 = sqrt(t45);
-        up_x = select(normal_x, select(fma(t12, t50, -(t13 * t49)) / t53, normal_x, t29), t46);
-        up_y = select(normal_y, select(fma(t13, t48, -(t11 * t50)) / t53, normal_y, t29), t46);
-        up_z = select(normal_z, select(fma(t11, t49, -(t12 * t48)) / t53, normal_z, t29), t46);
-        t37 = select(t42, t48, t46);
-        t38 = select(t43, t49, t46);
-        t39 = select(t44, t50, t46);
-        t40 = select(t54, t51, t46);
-        t41 = select(t54, select(t52, 0.0, t29), t46);
+        let t54 = sqrt(t44);
+        up_x = select(normal_x, select(fma(t12, t50, -(t13 * t49)) / t53, normal_x, t45), t46);
+        up_y = select(normal_y, select(fma(t13, t48, -(t11 * t50)) / t53, normal_y, t45), t46);
+        up_z = select(normal_z, select(fma(t11, t49, -(t12 * t48)) / t53, normal_z, t45), t46);
+        t36 = select(t41, t48, t46);
+        t37 = select(t42, t49, t46);
+        t38 = select(t43, t50, t46);
+        t39 = select(t54, t51, t46);
+        t40 = select(t54, select(t52, 0.0, t45), t46);
     } else {
-        t40 = sqrt(t36);
+        t39 = sqrt(t35);
         up_x = normal_x;
         up_y = normal_y;
         up_z = normal_z;
-        t37 = t31;
-        t38 = t33;
-        t39 = t35;
-        t41 = t40;
+        t36 = t30;
+        t37 = t32;
+        t38 = t34;
+        t40 = t39;
     }
-    let t55 = spherecap_keep(normal_x * t11, unknown_zero);
-    let t56 = spherecap_keep(normal_y * t12, unknown_zero);
-    let t57 = spherecap_keep(normal_z * t13, unknown_zero);
-    let t58 = spherecap_keep(t55 + t56, unknown_zero);
-    let t59 = spherecap_keep(t58 - t55, unknown_zero);
-    let t60 = spherecap_keep(t55 - spherecap_keep(t58 - t59, unknown_zero), unknown_zero);
-    let t61 = spherecap_keep(t58 + t57, unknown_zero);
-    let t62 = spherecap_keep(t61 - t58, unknown_zero);
-    let t63 = spherecap_keep(t58 - spherecap_keep(t61 - t62, unknown_zero), unknown_zero);
-    let t64 = spherecap_lost(normal_x, t11, t55, unknown_zero) + spherecap_lost(normal_y, t12, t56, unknown_zero);
-    let t65 = t60 + spherecap_keep(t56 - t59, unknown_zero) + (t63 + spherecap_keep(t57 - t62, unknown_zero));
-    let t66 = t64 + spherecap_lost(normal_z, t13, t57, unknown_zero) + t65;
-    let t67 = spherecap_keep(t61 + t66, unknown_zero);
-    let t68 = spherecap_keep(t66 - spherecap_keep(t67 - t61, unknown_zero), unknown_zero);
-    let t69 = t14 - t67 - t68;
-    let t70 = t14 + t67 + t68;
-    let t71 = t69 * t70;
-    let t72 = sqrt(t19);
-    let t73 = 0.0 < t19;
-    var t74: f32;
+    let t55 = 0.0 < t7;
+    let t56 = spherecap_keep(normal_x * t11, unknown_zero);
+    let t57 = spherecap_keep(normal_y * t12, unknown_zero);
+    let t58 = spherecap_keep(normal_z * t13, unknown_zero);
+    let t59 = spherecap_keep(t56 + t57, unknown_zero);
+    let t60 = spherecap_keep(t59 - t56, unknown_zero);
+    let t61 = spherecap_keep(t56 - spherecap_keep(t59 - t60, unknown_zero), unknown_zero);
+    let t62 = spherecap_keep(t59 + t58, unknown_zero);
+    let t63 = spherecap_keep(t62 - t59, unknown_zero);
+    let t64 = spherecap_keep(t59 - spherecap_keep(t62 - t63, unknown_zero), unknown_zero);
+    let t65 = spherecap_lost(normal_x, t11, t56, unknown_zero) + spherecap_lost(normal_y, t12, t57, unknown_zero);
+    let t66 = t61 + spherecap_keep(t57 - t60, unknown_zero) + (t64 + spherecap_keep(t58 - t63, unknown_zero));
+    let t67 = t65 + spherecap_lost(normal_z, t13, t58, unknown_zero) + t66;
+    let t68 = spherecap_keep(t62 + t67, unknown_zero);
+    let t69 = spherecap_keep(t67 - spherecap_keep(t68 - t62, unknown_zero), unknown_zero);
+    let t70 = t14 - t68 - t69;
+    let t71 = t14 + t68 + t69;
+    let t72 = t70 * t71;
+    let t73 = sqrt(t18);
+    let t74 = 1.0 / t73;
+    let t75 = sqrt(t19);
+    let elevation_sin = t68 * t74;
+    let t76 = 0.0 < t19;
+    let t77 = 0.0 < t72 && t55 && t76;
+    let t78 = 0.0 < elevation_sin;
+    var t79: f32;
     var t_x = 0.0;
     var t_y = 0.0;
     var width = 0.0;
@@ -638,68 +641,62 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     var norm = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    if (0.0 < t71 && t29 && t73) {
-        t74 = sqrt(t19 + t71);
-        let t75 = sqrt(t71);
-        let t76 = 1.0 / (t74 * t14);
-        let t77 = t76 * t14;
-        let t78 = t76 * t74;
-        t_x = t72 * t77;
-        t_y = t75 * t77;
-        let t79 = t_y * t_y;
-        kappa = abs(t67) * t78;
+    if (t77) {
+        t79 = sqrt(t19 + t72);
+        let t80 = sqrt(t72);
+        let t81 = 1.0 / (t79 * t14);
+        let t82 = t81 * t14;
+        let t83 = t81 * t79;
+        t_x = t75 * t82;
+        t_y = t80 * t82;
+        let t84 = t_y * t_y;
+        kappa = abs(t68) * t83;
         cut = kappa * t_x;
-        let t80 = t_x - 0.5;
-        let t81 = cut - 0.5;
-        let t82 = t80 * t80;
-        let t83 = t81 * t81;
-        let t84 = fma(0.05430631, t82, 0.080950715);
-        let t85 = fma(t84, t82, 0.1684019);
-        let t86 = fma(t85, t82, 0.32709444);
-        let t87 = fma(t86, t82, 0.5987523);
-        let t88 = fma(-0.026061837, t82, -0.06372378);
-        let t89 = fma(t88, t82, -0.11762552);
-        let t90 = fma(t89, t82, -0.23594604);
-        let t91 = fma(t90, t82, -0.44721135);
-        let t92 = fma(t91, t82, -0.7754678);
-        shape = fma(t92, t80, fma(t87, t82, 0.94559944));
-        let t93 = fma(t81, fma(fma(fma(fma(-0.026061837, t83, t88), t83, t89), t83, t90), t83, t91), fma(fma(fma(fma(0.05430631, t83, t84), t83, t85), t83, t86), t83, t87));
-        shape_difference = fma(t93, t80 + t81, t92);
+        let t85 = t_x - 0.5;
+        let t86 = cut - 0.5;
+        let t87 = t85 * t85;
+        let t88 = t86 * t86;
+        let t89 = fma(0.05430631, t87, 0.080950715);
+        let t90 = fma(t89, t87, 0.1684019);
+        let t91 = fma(t90, t87, 0.32709444);
+        let t92 = fma(t91, t87, 0.5987523);
+        let t93 = fma(-0.026061837, t87, -0.06372378);
+        let t94 = fma(t93, t87, -0.11762552);
+        let t95 = fma(t94, t87, -0.23594604);
+        let t96 = fma(t95, t87, -0.44721135);
+        let t97 = fma(t96, t87, -0.7754678);
+        shape = fma(t97, t85, fma(t92, t87, 0.94559944));
+        let t98 = fma(t86, fma(fma(fma(fma(-0.026061837, t88, t93), t88, t94), t88, t95), t88, t96), fma(fma(fma(fma(0.05430631, t88, t89), t88, t90), t88, t91), t88, t92));
+        shape_difference = fma(t98, t85 + t86, t97);
         norm = fma(cut, shape_difference, shape);
-        width = t79 / (1.0 + t_x);
-        tau = t75 * t78;
-        area = t79 * t_y * (min(t70, t69) * t78) * norm;
+        width = t84 / (1.0 + t_x);
+        tau = t80 * t83;
+        area = t84 * t_y * (min(t71, t70) * t83) * norm;
     } else {
-        t74 = t41;
+        t79 = t40;
     }
-    let t94 = sqrt(t18);
-    let t95 = 1.0 / t94;
-    let radius_sin = t14 * t95;
-    let radius_cos = t72 * t95;
-    let elevation_sin = t67 * t95;
-    let elevation_cos = t74 * t95;
-    let t96 = abs(elevation_sin);
+    let radius_sin = t14 * t74;
+    let radius_cos = t75 * t74;
+    let elevation_cos = t79 * t74;
+    let t99 = abs(elevation_sin);
     let climb = radius_sin * elevation_cos;
-    let rise = max(-(radius_cos * t96), t71 * (t95 * t95) / fma(radius_cos, t96, climb));
-    let t97 = radius_sin * radius_sin;
-    let t98 = 0.0 < elevation_sin;
-    let t99 = select(area, fma(t97 * t96, 3.1415927, area), t98);
-    let t100 = 9.8607613e-32 < t97;
-    let towards_centre = vec3f(t11, t12, t13) * t95;
-    let t101 = 1.0 / t40;
-    let sideways = vec3f(t37, t38, t39) * t101;
-    let on_surface = select(0.0, 1.0, t29);
-    let distance = t94 * select(unscale, 1.0, t8);
-    let projected_above = select(0.0, t99, 9.403955e-38 < t99 && t100 && t73);
-    let t102 = 0.0 < tau;
-    let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
-    let t103 = 0.0 < inv_above;
-    let t104 = select(0.0, inv_above, t98);
-    let share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t103);
-    let t105 = t102 && t98 && 0.0 < t104;
-    let t106 = t_y * t_y * t_y * shape * t104;
-    let t107 = t_y / radius_sin;
-    let beyond = select(0.0, t107 * t107 * t107 * fma(cut - t_x, shape_difference, shape), t105);
+    let rise = max(-(radius_cos * t99), t72 * (t74 * t74) / fma(radius_cos, t99, climb));
+    let t100 = radius_sin * radius_sin;
+    let t101 = select(area, fma(t100 * t99, 3.1415927, area), t78);
+    let t102 = 9.8607613e-32 < t100;
+    let towards_centre = vec3f(t11, t12, t13) * t74;
+    let t103 = 1.0 / t39;
+    let sideways = vec3f(t36, t37, t38) * t103;
+    let on_surface = select(0.0, 1.0, t55);
+    let distance = t73 * select(unscale, 1.0, t8);
+    let projected_above = select(0.0, t101, 9.403955e-38 < t101 && t102 && t76);
+    let t104 = 0.0 < projected_above;
+    let inv_above = select(0.0, 1.0 / projected_above, t104);
+    let t105 = select(0.0, inv_above, t78);
+    let t106 = t77 && t78 && 0.0 < t105;
+    let t107 = t_y * t_y * t_y * shape * t105;
+    let t108 = t_y / radius_sin;
+    let t109 = t108 * t108 * t108 * (fma(cut - t_x, shape_difference, shape) * 0.53033006);
     var b_0 = 0.0;
     var b_1 = 0.0;
     var b_2 = 0.0;
@@ -707,55 +704,56 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     var b_4 = 0.0;
     var b_5 = 0.0;
     var b_6 = 0.0;
-    if (t102 && !t98) {
-        let t108 = 1.0 + kappa;
-        let t109 = t108 * shape;
-        let t110 = 1.0 / (norm * t109);
-        let t111 = sqrt(t110);
-        b_0 = norm * t111;
-        let t112 = 1.0 / (1.0 + cut);
-        let t113 = (t_x + kappa) * t112 - 0.5;
-        let t114 = t113 * t113;
-        let t115 = fma(fma(fma(-0.026061837, t114, -0.06372378), t114, -0.11762552), t114, -0.23594604);
-        let t116 = fma(fma(fma(0.05430631, t114, 0.080950715), t114, 0.1684019), t114, 0.32709444);
-        let t117 = fma(fma(fma(t115, t114, -0.44721135), t114, -0.7754678), t113, fma(fma(t116, t114, 0.5987523), t114, 0.94559944));
-        let t118 = t108 * t117 * (t112 * t112 * t112) * (t109 * t110);
-        let t119 = fma(t118, t109 * t111, -1.0);
-        let t120 = 1.0 - t118;
-        let t121 = fma(fma(30.011856, t119, fma(-41.541264, t120, -37.009792)), t119, fma(77.96775, t120, 7.470758));
-        let t122 = fma(fma(fma(15.716111 * t120, t120, 9.961183), t120, -2.61785), t120, 0.8681748);
-        let t123 = fma(fma(t121, t119, fma(fma(-49.13454, t120, -9.466533), t120, -1.5877596)), t119, t122);
-        let t124 = t119 * t123;
-        let t125 = fma(fma(7.295638, t119, -7.236236), t119, fma(-11.4868555 * t120 * t120, t120, 3.1255686));
-        let t126 = fma(fma(fma(13.728438, t120, -7.981878), t120, 2.025724), t120, -0.7334958);
-        let t127 = t119 * fma(t125, t119, t126);
-        let t128 = fma(fma(-23.220068, t120, 7.332055), t119, fma(fma(9.986537, t120, 25.22195) * t120, t120, -2.9581387));
-        let t129 = fma(fma(fma(-19.722994, t120, 4.6594768), t120, -0.89538246), t120, 0.5143498);
-        let t130 = t119 * fma(t128, t119, t129);
-        let t131 = fma(fma(fma(1.946617, t119, -3.077631), t119, 1.4945927), t119, -0.24140751);
-        let t132 = t119 * t131;
-        let t133 = t119 * fma(fma(0.38173297, t119, -0.30305624), t119, 0.05897375);
-        b_1 = t118 - b_0 + t124;
-        b_2 = t127 - t124;
-        b_3 = t130 - t127;
-        b_4 = t132 - t130;
-        b_5 = t133 - t132;
-        b_6 = -t133;
+    if (t77 && !t78) {
+        let t110 = 1.0 + kappa;
+        let t111 = t110 * shape;
+        let t112 = 1.0 / (norm * t111);
+        let t113 = sqrt(t112);
+        b_0 = norm * t113;
+        let t114 = 1.0 / (1.0 + cut);
+        let t115 = (t_x + kappa) * t114 - 0.5;
+        let t116 = t115 * t115 * t115;
+        let t117 = fma(fma(fma(-0.026061837, t115, 0.05430631), t115, -0.06372378), t116, fma(fma(0.080950715, t115, -0.11762552), t115, 0.1684019));
+        let t118 = fma(t117, t116, fma(fma(-0.23594604, t115, 0.32709444), t115, -0.44721135));
+        let t119 = t110 * fma(t118, t116, fma(fma(0.5987523, t115, -0.7754678), t115, 0.94559944));
+        let t120 = t119 * (t114 * t114 * t114) * (t111 * t112);
+        let t121 = fma(t120, t111 * t113, -1.0);
+        let t122 = 1.0 - t120;
+        let t123 = fma(fma(30.011856, t121, fma(-41.541264, t122, -37.009792)), t121, fma(77.96775, t122, 7.470758));
+        let t124 = fma(fma(fma(15.716111 * t122, t122, 9.961183), t122, -2.61785), t122, 0.8681748);
+        let t125 = fma(fma(t123, t121, fma(fma(-49.13454, t122, -9.466533), t122, -1.5877596)), t121, t124);
+        let t126 = t121 * t125;
+        let t127 = fma(fma(7.295638, t121, -7.236236), t121, fma(-11.4868555 * t122 * t122, t122, 3.1255686));
+        let t128 = fma(fma(fma(13.728438, t122, -7.981878), t122, 2.025724), t122, -0.7334958);
+        let t129 = t121 * fma(t127, t121, t128);
+        let t130 = fma(fma(-23.220068, t122, 7.332055), t121, fma(fma(9.986537, t122, 25.22195) * t122, t122, -2.9581387));
+        let t131 = fma(fma(fma(-19.722994, t122, 4.6594768), t122, -0.89538246), t122, 0.5143498);
+        let t132 = t121 * fma(t130, t121, t131);
+        let t133 = fma(fma(fma(1.946617, t121, -3.077631), t121, 1.4945927), t121, -0.24140751);
+        let t134 = t121 * t133;
+        let t135 = t121 * fma(fma(0.38173297, t121, -0.30305624), t121, 0.05897375);
+        b_1 = t120 - b_0 + t126;
+        b_2 = t129 - t126;
+        b_3 = t132 - t129;
+        b_4 = t134 - t132;
+        b_5 = t135 - t134;
+        b_6 = -t135;
     }
-    let t134 = 0.0 < share;
-    let t135 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t100);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t135, 0.0 < t135), t134);
-    let t136 = 0.0 < inv_solid_angle && t134;
-    let t137 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t103 || t136);
+    let share = select(defensive, 1.0, (0.0 < defensive || !(0.0 < on_surface)) && !t104);
+    let t136 = 0.0 < share;
+    let t137 = select(0.0, t100 / (1.0 + radius_cos), 0.0 < radius_cos && t102);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t137, 0.0 < t137), t136);
+    let t138 = 0.0 < inv_solid_angle && t136;
+    let t139 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (0.0 < inv_above || t138);
     return spherecap_front_light(
-        t137, select(0.0, t135 * 6.2831855, t137), select(0.0, projected_above, t137), towards_centre,
+        t139, select(0.0, t137 * 6.2831855, t139), select(0.0, projected_above, t139), towards_centre,
         sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
         radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share,
         1.0 - share, defensive, inv_above,
         vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        select(0.0, t135, t134), inv_solid_angle, select(0.0, t106, t105),
-        select(1.0, 1.0 / (1.0 - t106), t105), beyond, elevation_cos * radius_cos, radius_sin * t96, climb,
-        b_0, b_1, b_2, b_3, b_4, b_5, b_6
+        select(0.0, t137, t136), inv_solid_angle, select(0.0, t107, t106),
+        select(1.0, 1.0 / (1.0 - t107), t106), select(0.0, t109, t106), elevation_cos * radius_cos,
+        radius_sin * t99, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
 
@@ -769,7 +767,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     let t4 = min(0.99999994, max(5.9604645e-8, u1));
     let t5 = t3 < light.share && t2;
     let t6 = max(5.9604645e-8, select(t3 - light.share, t3, t5) / select(light.rest, light.share, t5));
-    let t7 = select(t3, min(0.99999994, t6), 0.0 < light.requested);
+    let t7 = select(t3, min(0.99999994, t6), 0.0 < light.requested && t2);
     let t8 = !(0.0 < light.tau) || t5;
     let t9 = !(0.0 < light.elevation_sin) && !t8;
     let t10 = light.crescent_share <= t7 && !t9;
@@ -780,7 +778,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     let t15 = min(0.99999994, max(5.9604645e-8, (t7 - light.crescent_share) * light.inv_rest));
     let t16 = select(t15, t7, t8);
     let t17 = select(light.beyond, 0.0, t8);
-    let t18 = 3.1415927 - t17;
+    let t18 = 1.6660811 - t17;
     let t19 = fma(t16, t18, t17);
     let t20 = (1.0 - t16) * t18;
     var t22: f32;
@@ -788,7 +786,7 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     var t24: f32;
     var t21 = 0.0;
     if (t11) {
-        t22 = min(t20, t19) * 0.53033006;
+        t22 = min(t20, t19);
         t23 = 1.0;
         t24 = 1.0;
     } else {
@@ -802,66 +800,66 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         let t31 = select(t7, light.width, t9) / t30;
         let t32 = select(light.width, t31, t9);
         let t33 = t24 * t32;
-        let t34 = t33 * t33;
-        let t35 = fma(fma(fma(-0.00060778117, t34, -0.0027203285), t34, -0.10000902), t33, fma(fma(1.0676054e-5, t34, -0.011332183), t34, 1.0000001));
+        let t34 = fma(fma(fma(-0.00060778117, t33, 1.0676054e-5), t33, -0.0027203285), t33 * t33 * t33, fma(fma(-0.011332183, t33, -0.10000902), t33, 1.0000001));
         t21 = select(t25, t29, t9);
         t22 = select(min(0.99999994, max(5.9604645e-8, t31)), t7, t9);
-        t23 = t32 * t35;
+        t23 = t32 * t34;
     }
-    let t36 = spherecap_float_of_bits(fma(spherecap_bits(t22), -0.33333334, 1419900500.0));
-    let t37 = fma(-(t22 * t36), t36 * t36, 1.0);
+    let t35 = spherecap_float_of_bits(fma(spherecap_bits(t22), -0.33333334, 1419900500.0));
+    let t36 = t22 * t35;
+    let t37 = fma(-t36, t35 * t35, 1.0);
     let t38 = t37 * t37;
-    let t39 = fma(fma(fma(0.110958695, t38, 0.14403293), t38, 0.22222222), t37, fma(fma(0.12482853, t38, 0.17283951), t38, 0.33333334));
-    let t40 = t23 * (t22 * fma(t36, t37 * t39, t36));
+    let t39 = fma(fma(0.12666093, t38, fma(0.14565912, t37, 0.17283025)), t38, fma(0.22221696, t37, 0.33333334));
+    let t40 = t23 * fma(t36 * t37, t39, t36);
     let t41 = t40 * t24;
-    let t42 = t41 * t41;
-    let t43 = fma(fma(fma(-0.063446075, t42, -0.056249518), t42, 0.0074712755), t42, 0.09996679);
-    let t44 = fma(fma(fma(0.022114987, t42, 0.085662976), t42, 0.030445365), t42, 0.03209764);
-    let t45 = t40 * fma(t43, t41, fma(t44, t42, 1.0000004));
-    let t46 = select(t45, min(1.0, t45), t11);
-    let t47 = t24 * t46;
-    let t48 = 2.0 - t47;
-    let t49 = t46 * t48;
-    let t50 = sqrt(t49);
+    let t42 = t41 * t41 * t41;
+    let t43 = fma(fma(fma(0.022114987, t41, -0.063446075), t41, 0.085662976), t42, fma(fma(-0.056249518, t41, 0.030445365), t41, 0.0074712755));
+    let t44 = t40 * fma(t43, t42, fma(fma(0.03209764, t41, 0.09996679), t41, 1.0000004));
+    let t45 = select(t44, min(1.0, t44), t11);
+    let t46 = t24 * t45;
+    let t47 = 2.0 - t46;
+    let t48 = t45 * t47;
+    let t49 = sqrt(t48);
     var zenith: f32;
     var side: f32;
     var cosine: f32;
+    var t50: f32;
     var t51: f32;
-    var t52: f32;
     if (t11) {
-        let t53 = select(t48, t47, t19 - t20 < 0.0);
-        let t54 = t49 * t14;
+        let t52 = select(t47, t46, t19 - t20 < 0.0);
         if (t5) {
-            let t55 = light.height * (1.0 - t54);
-            let t56 = sqrt(light.height * (2.0 - t55));
-            zenith = (t53 - 1.0) * t56;
-            let t57 = 1.0 - t55;
-            t52 = fma(light.elevation_sin, t57, light.elevation_cos * zenith);
-            t51 = fma(light.elevation_cos, t57, -(light.elevation_sin * zenith));
-            side = t50 * t13 * t56;
-            cosine = t52 * light.on_surface;
+            let t53 = light.height * (1.0 - t48 * t14);
+            let t54 = sqrt(light.height * (2.0 - t53));
+            zenith = (t52 - 1.0) * t54;
+            let t55 = 1.0 - t53;
+            t51 = fma(light.elevation_sin, t55, light.elevation_cos * zenith);
+            t50 = fma(light.elevation_cos, t55, -(light.elevation_sin * zenith));
+            side = t49 * t13 * t54;
+            cosine = t51 * light.on_surface;
         } else {
-            let t58 = 1.0 - t53;
-            let t59 = max(0.0, fma(light.climb, t53, -light.rise));
-            t52 = sqrt(fma(t59, t59, light.radius_sin * light.radius_sin * t54));
-            let t60 = t1 * light.radius_cos;
-            let t61 = fma(light.elevation_cos * t58, fma(light.climb, t58, -2.0 * t60), light.radius_sin * t54);
-            zenith = light.radius_sin * fma(light.elevation_cos, t61 / (t52 + t60), -(t1 * t1 * t58));
-            t51 = fma(light.half_axis, t58, light.middle);
-            side = light.radius_sin * t50 * t13;
-            cosine = t52;
+            let t56 = 1.0 - t52;
+            let t57 = light.radius_sin * light.radius_sin * t14;
+            let t58 = max(0.0, fma(light.climb, t52, -light.rise));
+            t51 = sqrt(fma(t48, t57, t58 * t58));
+            let t59 = t1 * light.radius_cos;
+            let t60 = light.climb * t56;
+            zenith = fma(light.elevation_cos, fma(t60, t60 - 2.0 * t59, t48 * t57) / (t51 + t59), -(light.half_axis * t1 * t56));
+            t50 = fma(light.half_axis, t56, light.middle);
+            side = light.radius_sin * t49 * t13;
+            cosine = t51;
         }
     } else {
-        cosine = t50 * t21;
-        t51 = 1.0 - t47;
-        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t9) * t51));
-        side = t50 * t13;
-        t52 = cosine;
+        cosine = t49 * t21;
+        t50 = 1.0 - t46;
+        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t9) * t50));
+        side = t49 * t13;
+        t51 = cosine;
     }
-    let t62 = min(3.4028235e38, abs(cosine));
-    let t63 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t64 = light.share * light.inv_solid_angle;
-    let t65 = min(3.4028235e38, fma(t63, light.rest, min(3.4028235e38, t64 / max(1.1754944e-38, t62))));
+    let t61 = light.share * light.inv_solid_angle;
+    let t62 = select(0.0, light.inv_above, 0.0 < cosine);
+    let t63 = min(3.4028235e38, max(0.0, cosine));
+    let t64 = select(light.inv_above * t63, fma(light.inv_above, light.rest * t63, t61), t2);
+    let t65 = min(3.4028235e38, t61 / max(1.1754944e-38, min(3.4028235e38, abs(cosine))));
     let t66 = fma(zenith, zenith, side * side);
     let t67 = max(0.0, fma(light.radius_sin, light.radius_sin, -t66));
     let t68 = sqrt(t67);
@@ -875,9 +873,9 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
     let t76 = fma(light.elevation_cos, t73, -(light.elevation_sin * t74));
     let t77 = fma(light.elevation_sin, t73, light.elevation_cos * t74);
     return spherecap_sample(
-        light.third_axis * t51 + light.sideways * side + light.up * t52, t70 * light.distance,
-        light.third_axis * t76 + light.sideways * t75 + light.up * t77, cosine,
-        select(t63 * t62, fma(t63, light.rest * t62, t64), t2), select(t63, t65, t2)
+        light.third_axis * t50 + light.sideways * side + light.up * t51, t70 * light.distance,
+        light.third_axis * t76 + light.sideways * t75 + light.up * t77, cosine, t64,
+        select(t62, min(3.4028235e38, fma(t62, light.rest, t65)), t2)
     );
 }
 
@@ -889,28 +887,25 @@ fn spherecap_front_pdf_direction(light: spherecap_front_light, direction: vec3f)
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = dot(light.normal, direction);
-    let t2 = dot(light.towards_centre, direction) < 0.0;
-    let t3 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t2);
-    let t4 = select(dot(light.sideways, direction), 1.0, t2);
-    let t5 = min(3.4028235e38, abs(t1));
-    let t6 = select(0.0, light.inv_above, 0.0 < t1);
-    let t7 = select(t6 * t5, fma(t6, light.rest * t5, light.share * light.inv_solid_angle), 0.0 < light.share);
-    let t8 = select(0.0, t7, fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t9 = dot(direction, direction);
-    return select(0.0, t8, 0.998001 <= t9 && t9 <= 1.002001);
+    let t1 = dot(light.towards_centre, direction) < 0.0;
+    let t2 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t1);
+    let t3 = select(dot(light.sideways, direction), 1.0, t1);
+    let t4 = min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    let t5 = fma(light.inv_above, light.rest * t4, light.share * light.inv_solid_angle);
+    let t6 = select(0.0, select(light.inv_above * t4, t5, 0.0 < light.share), fma(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t7 = dot(direction, direction);
+    return select(0.0, t6, 0.998001 <= t7 && t7 <= 1.002001);
 }
 
 fn spherecap_front_pdf_on_sphere(light: spherecap_front_light, direction: vec3f) -> f32 {
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = dot(light.normal, direction);
-    let t2 = min(3.4028235e38, abs(t1));
-    let t3 = select(0.0, light.inv_above, 0.0 < t1);
-    let t4 = select(t3 * t2, fma(t3, light.rest * t2, light.share * light.inv_solid_angle), 0.0 < light.share);
-    let t5 = dot(direction, direction);
-    return select(0.0, t4, 0.998001 <= t5 && t5 <= 1.002001);
+    let t1 = min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    let t2 = fma(light.inv_above, light.rest * t1, light.share * light.inv_solid_angle);
+    let t3 = dot(direction, direction);
+    let t4 = select(0.0, select(light.inv_above * t1, t2, 0.0 < light.share), 0.998001 <= t3 && t3 <= 1.002001);
+    return t4;
 }
 
 fn spherecap_front_importance(normal: vec3f, centre: vec3f, radius: f32, defensive: f32, strength: f32) -> f32 {
@@ -1052,28 +1047,28 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
         t18 = t16;
         t19 = t17;
     }
-    let t29 = 0.0 < t7;
-    let t30 = spherecap_keep(normal_z * t12, unknown_zero);
-    let t31 = spherecap_fused(normal_y, t13, -t30, unknown_zero);
-    let t32 = spherecap_keep(normal_x * t13, unknown_zero);
-    let t33 = spherecap_fused(normal_z, t11, -t32, unknown_zero);
-    let t34 = spherecap_keep(normal_y * t11, unknown_zero);
-    let t35 = spherecap_fused(normal_x, t12, -t34, unknown_zero);
-    let t36 = fma(t31, t31, fma(t33, t33, t35 * t35));
+    let t29 = spherecap_keep(normal_z * t12, unknown_zero);
+    let t30 = spherecap_fused(normal_y, t13, -t29, unknown_zero);
+    let t31 = spherecap_keep(normal_x * t13, unknown_zero);
+    let t32 = spherecap_fused(normal_z, t11, -t31, unknown_zero);
+    let t33 = spherecap_keep(normal_y * t11, unknown_zero);
+    let t34 = spherecap_fused(normal_x, t12, -t33, unknown_zero);
+    let t35 = fma(t30, t30, fma(t32, t32, t34 * t34));
     var up_x: f32;
     var up_y: f32;
     var up_z: f32;
+    var t36: f32;
     var t37: f32;
     var t38: f32;
     var t39: f32;
     var t40: f32;
-    var t41: f32;
-    if (t36 < t18 * 0.015625) {
-        let t42 = t31 - spherecap_lost(normal_z, t12, t30, unknown_zero);
-        let t43 = t33 - spherecap_lost(normal_x, t13, t32, unknown_zero);
-        let t44 = t35 - spherecap_lost(normal_y, t11, t34, unknown_zero);
-        let t45 = fma(t42, t42, fma(t43, t43, t44 * t44));
-        let t46 = t45 < t18 * 5.169879e-26;
+    if (t35 < t18 * 0.015625) {
+        let t41 = t30 - spherecap_lost(normal_z, t12, t29, unknown_zero);
+        let t42 = t32 - spherecap_lost(normal_x, t13, t31, unknown_zero);
+        let t43 = t34 - spherecap_lost(normal_y, t11, t33, unknown_zero);
+        let t44 = fma(t41, t41, fma(t42, t42, t43 * t43));
+        let t45 = 0.0 < t7;
+        let t46 = t44 < t18 * 5.169879e-26;
         let t47 = abs(t11) < abs(t13);
         let t48 = select(-t12, 0.0, t47);
         let t49 = select(t11, -t13, t47);
@@ -1081,45 +1076,51 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
         let t51 = sqrt(fma(t48, t48, fma(t49, t49, t50 * t50)));
         let t52 = sqrt(t18);
         let t53 = t52 * t51;
-        let t54 = sqrt(t45);
-        up_x = select(normal_x, select(fma(t12, t50, -(t13 * t49)) / t53, normal_x, t29), t46);
-        up_y = select(normal_y, select(fma(t13, t48, -(t11 * t50)) / t53, normal_y, t29), t46);
-        up_z = select(normal_z, select(fma(t11, t49, -(t12 * t48)) / t53, normal_z, t29), t46);
-        t37 = select(t42, t48, t46);
-        t38 = select(t43, t49, t46);
-        t39 = select(t44, t50, t46);
-        t40 = select(t54, t51, t46);
-        t41 = select(t54, select(t52, 0.0, t29), t46);
+        let t54 = sqrt(t44);
+        up_x = select(normal_x, select(fma(t12, t50, -(t13 * t49)) / t53, normal_x, t45), t46);
+        up_y = select(normal_y, select(fma(t13, t48, -(t11 * t50)) / t53, normal_y, t45), t46);
+        up_z = select(normal_z, select(fma(t11, t49, -(t12 * t48)) / t53, normal_z, t45), t46);
+        t36 = select(t41, t48, t46);
+        t37 = select(t42, t49, t46);
+        t38 = select(t43, t50, t46);
+        t39 = select(t54, t51, t46);
+        t40 = select(t54, select(t52, 0.0, t45), t46);
     } else {
-        t40 = sqrt(t36);
+        t39 = sqrt(t35);
         up_x = normal_x;
         up_y = normal_y;
         up_z = normal_z;
-        t37 = t31;
-        t38 = t33;
-        t39 = t35;
-        t41 = t40;
+        t36 = t30;
+        t37 = t32;
+        t38 = t34;
+        t40 = t39;
     }
-    let t55 = spherecap_keep(normal_x * t11, unknown_zero);
-    let t56 = spherecap_keep(normal_y * t12, unknown_zero);
-    let t57 = spherecap_keep(normal_z * t13, unknown_zero);
-    let t58 = spherecap_keep(t55 + t56, unknown_zero);
-    let t59 = spherecap_keep(t58 - t55, unknown_zero);
-    let t60 = spherecap_keep(t55 - spherecap_keep(t58 - t59, unknown_zero), unknown_zero);
-    let t61 = spherecap_keep(t58 + t57, unknown_zero);
-    let t62 = spherecap_keep(t61 - t58, unknown_zero);
-    let t63 = spherecap_keep(t58 - spherecap_keep(t61 - t62, unknown_zero), unknown_zero);
-    let t64 = spherecap_lost(normal_x, t11, t55, unknown_zero) + spherecap_lost(normal_y, t12, t56, unknown_zero);
-    let t65 = t60 + spherecap_keep(t56 - t59, unknown_zero) + (t63 + spherecap_keep(t57 - t62, unknown_zero));
-    let t66 = t64 + spherecap_lost(normal_z, t13, t57, unknown_zero) + t65;
-    let t67 = spherecap_keep(t61 + t66, unknown_zero);
-    let t68 = spherecap_keep(t66 - spherecap_keep(t67 - t61, unknown_zero), unknown_zero);
-    let t69 = t14 - t67 - t68;
-    let t70 = t14 + t67 + t68;
-    let t71 = t69 * t70;
-    let t72 = sqrt(t19);
-    let t73 = 0.0 < t19;
-    var t74: f32;
+    let t55 = 0.0 < t7;
+    let t56 = spherecap_keep(normal_x * t11, unknown_zero);
+    let t57 = spherecap_keep(normal_y * t12, unknown_zero);
+    let t58 = spherecap_keep(normal_z * t13, unknown_zero);
+    let t59 = spherecap_keep(t56 + t57, unknown_zero);
+    let t60 = spherecap_keep(t59 - t56, unknown_zero);
+    let t61 = spherecap_keep(t56 - spherecap_keep(t59 - t60, unknown_zero), unknown_zero);
+    let t62 = spherecap_keep(t59 + t58, unknown_zero);
+    let t63 = spherecap_keep(t62 - t59, unknown_zero);
+    let t64 = spherecap_keep(t59 - spherecap_keep(t62 - t63, unknown_zero), unknown_zero);
+    let t65 = spherecap_lost(normal_x, t11, t56, unknown_zero) + spherecap_lost(normal_y, t12, t57, unknown_zero);
+    let t66 = t61 + spherecap_keep(t57 - t60, unknown_zero) + (t64 + spherecap_keep(t58 - t63, unknown_zero));
+    let t67 = t65 + spherecap_lost(normal_z, t13, t58, unknown_zero) + t66;
+    let t68 = spherecap_keep(t62 + t67, unknown_zero);
+    let t69 = spherecap_keep(t67 - spherecap_keep(t68 - t62, unknown_zero), unknown_zero);
+    let t70 = t14 - t68 - t69;
+    let t71 = t14 + t68 + t69;
+    let t72 = t70 * t71;
+    let t73 = sqrt(t18);
+    let t74 = 1.0 / t73;
+    let t75 = sqrt(t19);
+    let elevation_sin = t68 * t74;
+    let t76 = 0.0 < t19;
+    let t77 = 0.0 < t72 && t55 && t76;
+    let t78 = 0.0 < elevation_sin;
+    var t79: f32;
     var t_x = 0.0;
     var t_y = 0.0;
     var width = 0.0;
@@ -1130,73 +1131,68 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     var norm = 0.0;
     var tau = 0.0;
     var area = 0.0;
-    if (0.0 < t71 && t29 && t73) {
-        t74 = sqrt(t19 + t71);
-        let t75 = sqrt(t71);
-        let t76 = 1.0 / (t74 * t14);
-        let t77 = t76 * t14;
-        let t78 = t76 * t74;
-        t_x = t72 * t77;
-        t_y = t75 * t77;
-        let t79 = t_y * t_y;
-        kappa = abs(t67) * t78;
+    if (t77) {
+        t79 = sqrt(t19 + t72);
+        let t80 = sqrt(t72);
+        let t81 = 1.0 / (t79 * t14);
+        let t82 = t81 * t14;
+        let t83 = t81 * t79;
+        t_x = t75 * t82;
+        t_y = t80 * t82;
+        let t84 = t_y * t_y;
+        kappa = abs(t68) * t83;
         cut = kappa * t_x;
-        let t80 = t_x - 0.5;
-        let t81 = cut - 0.5;
-        let t82 = t80 * t80;
-        let t83 = t81 * t81;
-        let t84 = fma(0.05430631, t82, 0.080950715);
-        let t85 = fma(t84, t82, 0.1684019);
-        let t86 = fma(t85, t82, 0.32709444);
-        let t87 = fma(t86, t82, 0.5987523);
-        let t88 = fma(-0.026061837, t82, -0.06372378);
-        let t89 = fma(t88, t82, -0.11762552);
-        let t90 = fma(t89, t82, -0.23594604);
-        let t91 = fma(t90, t82, -0.44721135);
-        let t92 = fma(t91, t82, -0.7754678);
-        shape = fma(t92, t80, fma(t87, t82, 0.94559944));
-        let t93 = fma(t81, fma(fma(fma(fma(-0.026061837, t83, t88), t83, t89), t83, t90), t83, t91), fma(fma(fma(fma(0.05430631, t83, t84), t83, t85), t83, t86), t83, t87));
-        shape_difference = fma(t93, t80 + t81, t92);
+        let t85 = t_x - 0.5;
+        let t86 = cut - 0.5;
+        let t87 = t85 * t85;
+        let t88 = t86 * t86;
+        let t89 = fma(0.05430631, t87, 0.080950715);
+        let t90 = fma(t89, t87, 0.1684019);
+        let t91 = fma(t90, t87, 0.32709444);
+        let t92 = fma(t91, t87, 0.5987523);
+        let t93 = fma(-0.026061837, t87, -0.06372378);
+        let t94 = fma(t93, t87, -0.11762552);
+        let t95 = fma(t94, t87, -0.23594604);
+        let t96 = fma(t95, t87, -0.44721135);
+        let t97 = fma(t96, t87, -0.7754678);
+        shape = fma(t97, t85, fma(t92, t87, 0.94559944));
+        let t98 = fma(t86, fma(fma(fma(fma(-0.026061837, t88, t93), t88, t94), t88, t95), t88, t96), fma(fma(fma(fma(0.05430631, t88, t89), t88, t90), t88, t91), t88, t92));
+        shape_difference = fma(t98, t85 + t86, t97);
         norm = fma(cut, shape_difference, shape);
-        width = t79 / (1.0 + t_x);
-        tau = t75 * t78;
-        area = t79 * t_y * (min(t70, t69) * t78) * norm;
+        width = t84 / (1.0 + t_x);
+        tau = t80 * t83;
+        area = t84 * t_y * (min(t71, t70) * t83) * norm;
     } else {
-        t74 = t41;
+        t79 = t40;
     }
-    let t94 = sqrt(t18);
-    let t95 = 1.0 / t94;
-    let radius_sin = t14 * t95;
-    let radius_cos = t72 * t95;
-    let elevation_sin = t67 * t95;
-    let elevation_cos = t74 * t95;
-    let t96 = abs(elevation_sin);
+    let radius_sin = t14 * t74;
+    let radius_cos = t75 * t74;
+    let elevation_cos = t79 * t74;
+    let t99 = abs(elevation_sin);
     let climb = radius_sin * elevation_cos;
-    let rise = max(-(radius_cos * t96), t71 * (t95 * t95) / fma(radius_cos, t96, climb));
-    let t97 = radius_sin * radius_sin;
-    let t98 = fma(t97 * t96, 3.1415927, area);
-    let t99 = 0.0 < elevation_sin;
-    let t100 = select(area, t98, t99);
-    let t101 = select(t98, area, t99);
-    let t102 = 9.8607613e-32 < t97;
-    let t103 = t102 && t73;
-    let towards_centre = vec3f(t11, t12, t13) * t95;
-    let t104 = 1.0 / t40;
-    let sideways = vec3f(t37, t38, t39) * t104;
-    let on_surface = select(0.0, 1.0, t29);
-    let distance = t94 * select(unscale, 1.0, t8);
-    let projected_above = select(0.0, t100, 9.403955e-38 < t100 && t103);
-    let projected_below = select(0.0, t101, 9.403955e-38 < t101 && t103);
-    let t105 = 0.0 < tau;
-    let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
-    let inv_below = select(0.0, 1.0 / projected_below, 0.0 < projected_below);
-    let t106 = 0.0 < inv_above + inv_below;
-    let t107 = select(inv_below, inv_above, t99);
-    let defensive_share = select(select(0.0, 1.0, 0.0 < defensive || !(0.0 < on_surface)), defensive, t106);
-    let t108 = 0.0 < t107 && t105;
-    let t109 = t_y * t_y * t_y * shape * t107;
-    let t110 = t_y / radius_sin;
-    let t111 = fma(cut - t_x, shape_difference, shape);
+    let rise = max(-(radius_cos * t99), t72 * (t74 * t74) / fma(radius_cos, t99, climb));
+    let t100 = radius_sin * radius_sin;
+    let t101 = fma(t100 * t99, 3.1415927, area);
+    let t102 = select(area, t101, t78);
+    let t103 = select(t101, area, t78);
+    let t104 = 9.8607613e-32 < t100;
+    let t105 = t104 && t76;
+    let towards_centre = vec3f(t11, t12, t13) * t74;
+    let t106 = 1.0 / t39;
+    let sideways = vec3f(t36, t37, t38) * t106;
+    let on_surface = select(0.0, 1.0, t55);
+    let distance = t73 * select(unscale, 1.0, t8);
+    let projected_above = select(0.0, t102, 9.403955e-38 < t102 && t105);
+    let projected_below = select(0.0, t103, 9.403955e-38 < t103 && t105);
+    let t107 = 0.0 < projected_above;
+    let t108 = 0.0 < projected_below;
+    let inv_above = select(0.0, 1.0 / projected_above, t107);
+    let inv_below = select(0.0, 1.0 / projected_below, t108);
+    let t109 = select(inv_below, inv_above, t78);
+    let t110 = 0.0 < t109 && t77;
+    let t111 = t_y * t_y * t_y * shape * t109;
+    let t112 = t_y / radius_sin;
+    let t113 = fma(cut - t_x, shape_difference, shape);
     var b_0 = 0.0;
     var b_1 = 0.0;
     var b_2 = 0.0;
@@ -1204,79 +1200,82 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     var b_4 = 0.0;
     var b_5 = 0.0;
     var b_6 = 0.0;
-    var t112 = 0.0;
-    if (t105) {
-        let t113 = 1.0 + kappa;
-        let t114 = t113 * shape;
-        let t115 = 1.0 / (norm * t114);
-        let t116 = sqrt(t115);
-        b_0 = norm * t116;
-        let t117 = 1.0 / (1.0 + cut);
-        let t118 = (t_x + kappa) * t117 - 0.5;
-        let t119 = t118 * t118;
-        let t120 = fma(fma(fma(-0.026061837, t119, -0.06372378), t119, -0.11762552), t119, -0.23594604);
-        let t121 = fma(fma(fma(0.05430631, t119, 0.080950715), t119, 0.1684019), t119, 0.32709444);
-        let t122 = fma(fma(fma(t120, t119, -0.44721135), t119, -0.7754678), t118, fma(fma(t121, t119, 0.5987523), t119, 0.94559944));
-        let t123 = t113 * t122 * (t117 * t117 * t117) * (t114 * t115);
-        let t124 = fma(t123, t114 * t116, -1.0);
-        let t125 = 1.0 - t123;
-        let t126 = fma(fma(30.011856, t124, fma(-41.541264, t125, -37.009792)), t124, fma(77.96775, t125, 7.470758));
-        let t127 = fma(fma(fma(15.716111 * t125, t125, 9.961183), t125, -2.61785), t125, 0.8681748);
-        let t128 = fma(fma(t126, t124, fma(fma(-49.13454, t125, -9.466533), t125, -1.5877596)), t124, t127);
-        let t129 = t124 * t128;
-        let t130 = fma(fma(7.295638, t124, -7.236236), t124, fma(-11.4868555 * t125 * t125, t125, 3.1255686));
-        let t131 = fma(fma(fma(13.728438, t125, -7.981878), t125, 2.025724), t125, -0.7334958);
-        let t132 = t124 * fma(t130, t124, t131);
-        let t133 = fma(fma(-23.220068, t125, 7.332055), t124, fma(fma(9.986537, t125, 25.22195) * t125, t125, -2.9581387));
-        let t134 = fma(fma(fma(-19.722994, t125, 4.6594768), t125, -0.89538246), t125, 0.5143498);
-        let t135 = t124 * fma(t133, t124, t134);
-        let t136 = fma(fma(fma(1.946617, t124, -3.077631), t124, 1.4945927), t124, -0.24140751);
-        let t137 = t124 * t136;
-        let t138 = t124 * fma(fma(0.38173297, t124, -0.30305624), t124, 0.05897375);
-        let t139 = 1.0 / (elevation_cos * elevation_cos);
-        let t140 = tau * tau;
-        let t141 = t140 * t139 / (1.0 + t_x);
-        let t142 = kappa - 0.5;
-        let t143 = cut - 0.5;
-        let t144 = t142 * t142;
-        let t145 = t143 * t143;
-        let t146 = fma(0.05430631, t144, 0.080950715);
-        let t147 = fma(t146, t144, 0.1684019);
-        let t148 = fma(t147, t144, 0.32709444);
-        let t149 = fma(fma(fma(fma(0.05430631, t145, t146), t145, t147), t145, t148), t145, fma(t148, t144, 0.5987523));
-        let t150 = fma(-0.026061837, t144, -0.06372378);
-        let t151 = fma(t150, t144, -0.11762552);
-        let t152 = fma(t151, t144, -0.23594604);
-        let t153 = fma(t152, t144, -0.44721135);
-        let t154 = fma(fma(fma(fma(-0.026061837, t145, t150), t145, t151), t145, t152), t145, t153);
-        let t155 = fma(kappa * t141, fma(fma(t143, t154, t149), t142 + t143, fma(t153, t144, -0.7754678)), fma(t111, t141 - kappa * kappa, kappa) * t139);
-        b_1 = t123 - b_0 + t129;
-        b_2 = t132 - t129;
-        b_3 = t135 - t132;
-        b_4 = t137 - t135;
-        b_5 = t138 - t137;
-        b_6 = -t138;
-        t112 = min(0.5, max(0.0, t140 * tau * (radius_cos + 1.0) * t155 * 0.31830987));
+    if (t77) {
+        let t114 = 1.0 + kappa;
+        let t115 = t114 * shape;
+        let t116 = 1.0 / (norm * t115);
+        let t117 = sqrt(t116);
+        b_0 = norm * t117;
+        let t118 = 1.0 / (1.0 + cut);
+        let t119 = (t_x + kappa) * t118 - 0.5;
+        let t120 = t119 * t119 * t119;
+        let t121 = fma(fma(fma(-0.026061837, t119, 0.05430631), t119, -0.06372378), t120, fma(fma(0.080950715, t119, -0.11762552), t119, 0.1684019));
+        let t122 = fma(t121, t120, fma(fma(-0.23594604, t119, 0.32709444), t119, -0.44721135));
+        let t123 = t114 * fma(t122, t120, fma(fma(0.5987523, t119, -0.7754678), t119, 0.94559944));
+        let t124 = t123 * (t118 * t118 * t118) * (t115 * t116);
+        let t125 = fma(t124, t115 * t117, -1.0);
+        let t126 = 1.0 - t124;
+        let t127 = fma(fma(30.011856, t125, fma(-41.541264, t126, -37.009792)), t125, fma(77.96775, t126, 7.470758));
+        let t128 = fma(fma(fma(15.716111 * t126, t126, 9.961183), t126, -2.61785), t126, 0.8681748);
+        let t129 = fma(fma(t127, t125, fma(fma(-49.13454, t126, -9.466533), t126, -1.5877596)), t125, t128);
+        let t130 = t125 * t129;
+        let t131 = fma(fma(7.295638, t125, -7.236236), t125, fma(-11.4868555 * t126 * t126, t126, 3.1255686));
+        let t132 = fma(fma(fma(13.728438, t126, -7.981878), t126, 2.025724), t126, -0.7334958);
+        let t133 = t125 * fma(t131, t125, t132);
+        let t134 = fma(fma(-23.220068, t126, 7.332055), t125, fma(fma(9.986537, t126, 25.22195) * t126, t126, -2.9581387));
+        let t135 = fma(fma(fma(-19.722994, t126, 4.6594768), t126, -0.89538246), t126, 0.5143498);
+        let t136 = t125 * fma(t134, t125, t135);
+        let t137 = fma(fma(fma(1.946617, t125, -3.077631), t125, 1.4945927), t125, -0.24140751);
+        let t138 = t125 * t137;
+        let t139 = t125 * fma(fma(0.38173297, t125, -0.30305624), t125, 0.05897375);
+        b_1 = t124 - b_0 + t130;
+        b_2 = t133 - t130;
+        b_3 = t136 - t133;
+        b_4 = t138 - t136;
+        b_5 = t139 - t138;
+        b_6 = -t139;
     }
-    let t156 = 0.0 < defensive_share;
-    let t157 = select(0.0, t97 / (1.0 + radius_cos), 0.0 < radius_cos && t102);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t157, 0.0 < t157), t156);
-    let t158 = 1.0 - t112;
-    let t159 = 0.0 < inv_below;
-    let t160 = 0.0 < inv_above;
-    let t161 = 0.0 < inv_solid_angle && t156;
-    let t162 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (t106 || t161);
+    let defensive_share = select(defensive, 1.0, !(t107 || t108) && (0.0 < defensive || !(0.0 < on_surface)));
+    let t140 = 0.0 < defensive_share;
+    let t141 = select(0.0, t100 / (1.0 + radius_cos), 0.0 < radius_cos && t104);
+    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t141, 0.0 < t141), t140);
+    var t142 = 0.0;
+    if (0.0 < tau) {
+        let t143 = 1.0 / (elevation_cos * elevation_cos);
+        let t144 = tau * tau;
+        let t145 = t144 * t143 / (1.0 + t_x);
+        let t146 = kappa - 0.5;
+        let t147 = cut - 0.5;
+        let t148 = t146 * t146;
+        let t149 = t147 * t147;
+        let t150 = fma(0.05430631, t148, 0.080950715);
+        let t151 = fma(t150, t148, 0.1684019);
+        let t152 = fma(t151, t148, 0.32709444);
+        let t153 = fma(fma(fma(fma(0.05430631, t149, t150), t149, t151), t149, t152), t149, fma(t152, t148, 0.5987523));
+        let t154 = fma(-0.026061837, t148, -0.06372378);
+        let t155 = fma(t154, t148, -0.11762552);
+        let t156 = fma(t155, t148, -0.23594604);
+        let t157 = fma(t156, t148, -0.44721135);
+        let t158 = fma(fma(fma(fma(-0.026061837, t149, t154), t149, t155), t149, t156), t149, t157);
+        let t159 = fma(kappa * t145, fma(fma(t147, t158, t153), t146 + t147, fma(t157, t148, -0.7754678)), fma(t113, t145 - kappa * kappa, kappa) * t143);
+        t142 = min(0.5, max(0.0, t144 * tau * (radius_cos + 1.0) * t159 * 0.31830987));
+    }
+    let t160 = 1.0 - t142;
+    let t161 = 0.0 < inv_below;
+    let t162 = 0.0 < inv_above;
+    let t163 = 0.0 < inv_solid_angle && t140;
+    let t164 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (0.0 < inv_above + inv_below || t163);
     return spherecap_both_light(
-        t162, select(0.0, t157 * 6.2831855, t162), select(0.0, projected_above, t162), towards_centre,
+        t164, select(0.0, t141 * 6.2831855, t164), select(0.0, projected_above, t164), towards_centre,
         sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
         radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
         1.0 - defensive_share, defensive, inv_above, inv_below,
-        select(1.0, select(0.0, select(t112, t158, t99), t160), t159),
-        select(1.0, select(0.0, select(t158, t112, t99), t159), t160),
+        select(1.0, select(0.0, select(t142, t160, t78), t162), t161),
+        select(1.0, select(0.0, select(t160, t142, t78), t161), t162),
         vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        select(0.0, t157, t156), inv_solid_angle, select(0.0, t109, t108),
-        select(1.0, 1.0 / (1.0 - t109), t108), select(0.0, t110 * t110 * t110 * t111, t108),
-        elevation_cos * radius_cos, radius_sin * t96, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
+        select(0.0, t141, t140), inv_solid_angle, select(0.0, t111, t110),
+        select(1.0, 1.0 / (1.0 - t111), t110), select(0.0, t112 * t112 * t112 * (t113 * 0.53033006), t110),
+        elevation_cos * radius_cos, radius_sin * t99, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
 
@@ -1284,18 +1283,18 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     if (!light.is_sampled) {
         return spherecap_no_sample();
     }
-    let t1 = abs(light.elevation_sin);
-    let t2 = 0.0 < light.elevation_sin;
+    let t1 = 0.0 < light.elevation_sin;
+    let t2 = abs(light.elevation_sin);
     let t3 = 0.0 < light.defensive_share;
     let t4 = min(0.99999994, max(5.9604645e-8, u0));
     let t5 = min(0.99999994, max(5.9604645e-8, u1));
     let t6 = t4 < light.defensive_share && t3;
     let t7 = select(t4 - light.defensive_share, t4, t6) / select(light.defensive_rest, light.defensive_share, t6);
-    let t8 = select(t4, min(0.99999994, max(5.9604645e-8, t7)), 0.0 < light.requested);
+    let t8 = select(t4, min(0.99999994, max(5.9604645e-8, t7)), 0.0 < light.requested && t3);
     let t9 = t8 < light.sides_share || t6;
     let t10 = select(t8 - light.sides_share, t8, t9) / select(light.sides_rest, light.sides_share, t9);
-    let t11 = t9 && t2;
-    let t12 = !t9 && !t2;
+    let t11 = t9 && t1;
+    let t12 = !t9 && !t1;
     let t13 = select(min(0.99999994, max(5.9604645e-8, t10)), t8, t6);
     let t14 = !(0.0 < light.tau) || t6;
     let t15 = !(t11 || t12) && !t14;
@@ -1307,7 +1306,7 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     let t21 = min(0.99999994, max(5.9604645e-8, (t13 - light.crescent_share) * light.inv_rest));
     let t22 = select(t21, t13, t14);
     let t23 = select(light.beyond, 0.0, t14);
-    let t24 = 3.1415927 - t23;
+    let t24 = 1.6660811 - t23;
     let t25 = fma(t22, t24, t23);
     let t26 = (1.0 - t22) * t24;
     var t28: f32;
@@ -1315,7 +1314,7 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     var t30: f32;
     var t27 = 0.0;
     if (t17) {
-        t28 = min(t26, t25) * 0.53033006;
+        t28 = min(t26, t25);
         t29 = 1.0;
         t30 = 1.0;
     } else {
@@ -1329,87 +1328,86 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
         let t37 = select(t13, light.width, t15) / t36;
         let t38 = select(light.width, t37, t15);
         let t39 = t30 * t38;
-        let t40 = t39 * t39;
-        let t41 = fma(fma(fma(-0.00060778117, t40, -0.0027203285), t40, -0.10000902), t39, fma(fma(1.0676054e-5, t40, -0.011332183), t40, 1.0000001));
+        let t40 = fma(fma(fma(-0.00060778117, t39, 1.0676054e-5), t39, -0.0027203285), t39 * t39 * t39, fma(fma(-0.011332183, t39, -0.10000902), t39, 1.0000001));
         t27 = select(t31, t35, t15);
         t28 = select(min(0.99999994, max(5.9604645e-8, t37)), t13, t15);
-        t29 = t38 * t41;
+        t29 = t38 * t40;
     }
-    let t42 = spherecap_float_of_bits(fma(spherecap_bits(t28), -0.33333334, 1419900500.0));
-    let t43 = fma(-(t28 * t42), t42 * t42, 1.0);
+    let t41 = spherecap_float_of_bits(fma(spherecap_bits(t28), -0.33333334, 1419900500.0));
+    let t42 = t28 * t41;
+    let t43 = fma(-t42, t41 * t41, 1.0);
     let t44 = t43 * t43;
-    let t45 = fma(fma(fma(0.110958695, t44, 0.14403293), t44, 0.22222222), t43, fma(fma(0.12482853, t44, 0.17283951), t44, 0.33333334));
-    let t46 = t29 * (t28 * fma(t42, t43 * t45, t42));
+    let t45 = fma(fma(0.12666093, t44, fma(0.14565912, t43, 0.17283025)), t44, fma(0.22221696, t43, 0.33333334));
+    let t46 = t29 * fma(t42 * t43, t45, t42);
     let t47 = t46 * t30;
-    let t48 = t47 * t47;
-    let t49 = fma(fma(fma(-0.063446075, t48, -0.056249518), t48, 0.0074712755), t48, 0.09996679);
-    let t50 = fma(fma(fma(0.022114987, t48, 0.085662976), t48, 0.030445365), t48, 0.03209764);
-    let t51 = t46 * fma(t49, t47, fma(t50, t48, 1.0000004));
-    let t52 = select(t51, min(1.0, t51), t17);
-    let t53 = t30 * t52;
-    let t54 = 2.0 - t53;
-    let t55 = t52 * t54;
-    let t56 = sqrt(t55);
+    let t48 = t47 * t47 * t47;
+    let t49 = fma(fma(fma(0.022114987, t47, -0.063446075), t47, 0.085662976), t48, fma(fma(-0.056249518, t47, 0.030445365), t47, 0.0074712755));
+    let t50 = t46 * fma(t49, t48, fma(fma(0.03209764, t47, 0.09996679), t47, 1.0000004));
+    let t51 = select(t50, min(1.0, t50), t17);
+    let t52 = t30 * t51;
+    let t53 = 2.0 - t52;
+    let t54 = t51 * t53;
+    let t55 = sqrt(t54);
     var side: f32;
+    var t56: f32;
     var t57: f32;
     var t58: f32;
     var t59: f32;
-    var t60: f32;
     if (t17) {
-        let t61 = select(t54, t53, t25 - t26 < 0.0);
-        let t62 = t55 * t20;
+        let t60 = select(t53, t52, t25 - t26 < 0.0);
         if (t6) {
-            let t63 = light.height * (1.0 - t62);
-            let t64 = sqrt(light.height * (2.0 - t63));
-            t59 = (t61 - 1.0) * t64;
-            let t65 = 1.0 - t63;
-            t58 = fma(light.elevation_sin, t65, light.elevation_cos * t59);
-            t57 = fma(light.elevation_cos, t65, -(light.elevation_sin * t59));
-            side = t56 * t19 * t64;
-            t60 = t58 * light.on_surface;
+            let t61 = light.height * (1.0 - t54 * t20);
+            let t62 = sqrt(light.height * (2.0 - t61));
+            t58 = (t60 - 1.0) * t62;
+            let t63 = 1.0 - t61;
+            t57 = fma(light.elevation_sin, t63, light.elevation_cos * t58);
+            t56 = fma(light.elevation_cos, t63, -(light.elevation_sin * t58));
+            side = t55 * t19 * t62;
+            t59 = t57 * light.on_surface;
         } else {
-            let t66 = 1.0 - t61;
-            let t67 = max(0.0, fma(light.climb, t61, -light.rise));
-            t58 = sqrt(fma(t67, t67, light.radius_sin * light.radius_sin * t62));
-            let t68 = t1 * light.radius_cos;
-            let t69 = fma(light.elevation_cos * t66, fma(light.climb, t66, -2.0 * t68), light.radius_sin * t62);
-            t59 = light.radius_sin * fma(light.elevation_cos, t69 / (t58 + t68), -(t1 * t1 * t66));
-            t57 = fma(light.half_axis, t66, light.middle);
-            side = light.radius_sin * t56 * t19;
-            t60 = t58;
+            let t64 = 1.0 - t60;
+            let t65 = light.radius_sin * light.radius_sin * t20;
+            let t66 = max(0.0, fma(light.climb, t60, -light.rise));
+            t57 = sqrt(fma(t54, t65, t66 * t66));
+            let t67 = t2 * light.radius_cos;
+            let t68 = light.climb * t64;
+            t58 = fma(light.elevation_cos, fma(t68, t68 - 2.0 * t67, t54 * t65) / (t57 + t67), -(light.half_axis * t2 * t64));
+            t56 = fma(light.half_axis, t64, light.middle);
+            side = light.radius_sin * t55 * t19;
+            t59 = t57;
         }
     } else {
-        t58 = t56 * t27;
-        t57 = 1.0 - t53;
-        side = t56 * t19;
-        t59 = fma(light.elevation_cos, t58, -(select(t1, -t1, t15) * t57));
-        t60 = t58;
+        t57 = t55 * t27;
+        t56 = 1.0 - t52;
+        side = t55 * t19;
+        t58 = fma(light.elevation_cos, t57, -(select(t2, -t2, t15) * t56));
+        t59 = t57;
     }
-    let t70 = select(-1.0, 1.0, t9);
-    let zenith = t59 * t70;
-    let cosine = t60 * t70;
-    let t71 = t58 * t70;
+    let t69 = select(-1.0, 1.0, t9);
+    let zenith = t58 * t69;
+    let cosine = t59 * t69;
+    let t70 = t57 * t69;
+    let t71 = light.defensive_share * light.inv_solid_angle;
     let t72 = min(3.4028235e38, abs(cosine));
     let t73 = select(select(0.0, light.inv_below * light.sides_rest, cosine < 0.0), light.inv_above * light.sides_share, 0.0 < cosine);
-    let t74 = light.defensive_share * light.inv_solid_angle;
-    let t75 = fma(t73, light.defensive_rest, min(3.4028235e38, t74 / max(1.1754944e-38, t72)));
-    let t76 = fma(zenith, zenith, side * side);
-    let t77 = max(0.0, fma(light.radius_sin, light.radius_sin, -t76));
-    let t78 = sqrt(t77);
-    let t79 = sqrt(fma(light.radius_cos, light.radius_cos, t77));
-    let t80 = light.radius_cos * light.radius_cos / (t79 + t78);
-    let t81 = 1.0 / light.radius_sin;
-    let t82 = t80 * t81;
-    let t83 = -fma(t79, t78, t76) * t81;
-    let t84 = t82 * zenith;
-    let t85 = t82 * side;
-    let t86 = fma(light.elevation_cos, t83, -(light.elevation_sin * t84));
-    let t87 = fma(light.elevation_sin, t83, light.elevation_cos * t84);
+    let t74 = fma(t73, light.defensive_rest, min(3.4028235e38, t71 / max(1.1754944e-38, t72)));
+    let t75 = fma(zenith, zenith, side * side);
+    let t76 = max(0.0, fma(light.radius_sin, light.radius_sin, -t75));
+    let t77 = sqrt(t76);
+    let t78 = sqrt(fma(light.radius_cos, light.radius_cos, t76));
+    let t79 = light.radius_cos * light.radius_cos / (t78 + t77);
+    let t80 = 1.0 / light.radius_sin;
+    let t81 = t79 * t80;
+    let t82 = -fma(t78, t77, t75) * t80;
+    let t83 = t81 * zenith;
+    let t84 = t81 * side;
+    let t85 = fma(light.elevation_cos, t82, -(light.elevation_sin * t83));
+    let t86 = fma(light.elevation_sin, t82, light.elevation_cos * t83);
     return spherecap_sample(
-        light.third_axis * t57 + light.sideways * side + light.up * t71, t80 * light.distance,
-        light.third_axis * t86 + light.sideways * t85 + light.up * t87, cosine,
-        select(t73 * t72, fma(t73, light.defensive_rest * t72, t74), t3),
-        select(t73, min(3.4028235e38, t75), t3)
+        light.third_axis * t56 + light.sideways * side + light.up * t70, t79 * light.distance,
+        light.third_axis * t85 + light.sideways * t84 + light.up * t86, cosine,
+        select(t73 * t72, fma(t73, light.defensive_rest * t72, t71), t3),
+        select(t73, min(3.4028235e38, t74), t3)
     );
 }
 

@@ -25,6 +25,7 @@ mod share;
 mod sphere;
 
 use crate::lane::{branch, broadcast_fields, lit, Lane};
+use crate::strategy::{Hemispheres, Strategy, Technique};
 use crate::vec3::Vec3;
 use core::f64::consts::PI;
 use frame::Frame;
@@ -105,8 +106,12 @@ pub(crate) struct View<L: Lane> {
     sphere: Sphere<L>,
     frame: Frame<L>,
     horizon: Horizon<L>,
-    /// `v d`.
+    /// `d`, its reciprocal, and `v d`.
+    d: L,
+    inv_d: L,
     v_d: L,
+    /// `Z`.
+    elevation_sin: L,
 }
 
 impl<L: Lane> View<L> {
@@ -114,17 +119,24 @@ impl<L: Lane> View<L> {
     #[inline(always)]
     pub(crate) fn new(normal: Vec3<L>, centre: Vec3<L>, radius: L) -> Self {
         let sphere = Sphere::new(centre, radius);
-        let on_surface = L::lit(0.0).lt(normal.dot(normal));
-        let frame = Frame::new(normal, on_surface, &sphere);
+        let frame = Frame::new(normal, &sphere);
+        // Who does not fork may not need the frame otherwise.
+        let on_surface = if L::FORKS { frame.on_surface } else { normal.dot(normal) };
+        let on_surface = L::lit(0.0).lt(on_surface);
         let horizon = Horizon::new(normal, &sphere);
-        Self { normal, on_surface, sphere, frame, horizon, v_d: sphere.gap.sqrt() }
+        let d = sphere.distance2.sqrt();
+        let inv_d = lit(1.0) / d;
+        let (v_d, elevation_sin) = (sphere.gap.sqrt(), horizon.height * inv_d);
+        Self { normal, on_surface, sphere, frame, horizon, d, inv_d, v_d, elevation_sin }
     }
 
-    /// Whether the horizon cuts it, and the point is outside: [`Cap::case`] will say the same.
+    /// Which case it is: [`Cap::case`] will say the same.
     #[inline(always)]
-    pub(crate) fn is_cut(&self) -> L::Mask {
+    pub(crate) fn case(&self) -> Case<L::Mask> {
         let zero = L::lit(0.0);
-        zero.lt(self.horizon.circle2) & self.on_surface & zero.lt(self.sphere.gap)
+        let is_outside = zero.lt(self.sphere.gap);
+        let is_cut = zero.lt(self.horizon.circle2) & self.on_surface & is_outside;
+        Case { is_cut, is_centre_above: zero.lt(self.elevation_sin) }
     }
 
     /// What it cuts off, where it does, and `X d`: `(X d)^2 = d^2 - h^2` is the sum of two positives there.
@@ -164,19 +176,17 @@ impl<L: Lane> Cap<L> {
     #[inline(always)]
     pub fn new(normal: impl Into<[L; 3]>, centre: impl Into<[L; 3]>, radius: L) -> Self {
         let view = View::new(normal.into().into(), centre.into().into(), radius);
-        let cut = branch!(view.is_cut(), view.cut(), view.uncut());
-        Self::of(view, cut)
+        let case = view.case();
+        let cut = branch!(case.is_cut, view.cut(), view.uncut());
+        Self::of(view, case, cut)
     }
 
     /// The last step: all in units of the distance, and the areas.
     #[inline(always)]
-    pub(crate) fn of(view: View<L>, (crescent, x_d): (Crescent<L>, L)) -> Self {
-        let View { normal, on_surface, sphere, frame, horizon, v_d } = view;
-        let Sphere { lengths: Lengths { centre, radius, unit }, distance2, gap } = sphere;
-        let d = distance2.sqrt();
-        let inv_d = lit(1.0) / d;
-        let (s, v) = (radius * inv_d, v_d * inv_d);
-        let (elevation_sin, elevation_cos) = (horizon.height * inv_d, x_d * inv_d);
+    pub(crate) fn of(view: View<L>, case: Case<L::Mask>, (crescent, x_d): (Crescent<L>, L)) -> Self {
+        let View { normal, on_surface, sphere, frame, horizon, d, inv_d, v_d, elevation_sin } = view;
+        let Sphere { lengths: Lengths { centre, radius, unit }, gap, .. } = sphere;
+        let (s, v, elevation_cos) = (radius * inv_d, v_d * inv_d, x_d * inv_d);
         let z = elevation_sin.abs();
         // At most `v |Z|` from the horizon, which a normal longer than 1 by a rounding would deny next to the sphere.
         let rise = (horizon.circle2 * (inv_d * inv_d) / v.fma(z, s * elevation_cos)).max(-(v * z));
@@ -184,9 +194,8 @@ impl<L: Lane> Cap<L> {
         // The whole cap, projected, is an ellipse with half axes s and s |Z|.
         let s2 = s * s;
         let larger = (s2 * z).fma(L::lit(PI), crescent.area);
-        let is_centre_above = L::lit(0.0).lt(elevation_sin);
-        let above = L::select(is_centre_above, larger, crescent.area);
-        let below = L::select(is_centre_above, crescent.area, larger);
+        let above = L::select(case.is_centre_above, larger, crescent.area);
+        let below = L::select(case.is_centre_above, crescent.area, larger);
         // A part whose density would overflow (an area below about 1e-37) lights nothing.
         let is_visible = is_visible(s2, gap);
         let smallest = L::lit(8.0 * L::MIN_POSITIVE);
@@ -285,6 +294,22 @@ impl<L: Lane> Cap<L> {
     #[inline(always)]
     pub(crate) fn case(&self) -> Case<L::Mask> {
         Case { is_cut: self.crescent.exists(), is_centre_above: L::lit(0.0).lt(self.elevation_sin) }
+    }
+
+    /// Whether this strategy can sample the cap by nothing but solid angles: with nothing for a projected technique to sample, a
+    /// defensive sampler still covers the whole cap, for a shading normal may see what the geometric one does not. So does every
+    /// sampler without a surface, where no cosine exists.
+    #[inline(always)]
+    pub(crate) fn has_solid_angle_alone(&self, strategy: &Strategy<L>) -> L::Mask {
+        let zero = L::lit(0.0);
+        let is_seen = match strategy {
+            Strategy { technique: Technique::SolidAngle, .. } => return zero.le(zero),
+            Strategy { hemispheres: Hemispheres::Front, .. } => zero.lt(self.projected_above),
+            Strategy { hemispheres: Hemispheres::Both, .. } => {
+                zero.lt(self.projected_above) | zero.lt(self.projected_below)
+            }
+        };
+        !is_seen & (zero.lt(strategy.defensive) | !self.is_on_surface())
     }
 
     /// `|Z|`.

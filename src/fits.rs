@@ -22,11 +22,14 @@ pub struct Fits {
     /// P(k) = h / k, the inverse of k = h A(h), for h in [0, 1], in powers of k. Best in the relative error
     /// of the density of segments' heights h = k P(k) that samples with a uniform k^(3/2) have.
     pub height: &'static [f64],
+    /// R(r) = ((1 - r)^(-1/3) - 1) / r, for |r| <= 0.1021, in powers of r. Best in the relative error of
+    /// 1 + r R(r).
+    pub root: &'static [f64],
 }
 
 /// For `f32`: each decimal is the shortest that reads as the number of that type that is meant.
 ///
-/// Worst errors: shape 8.5e-08, area 1.6e-07, height 5.4e-07.
+/// Worst errors: shape 8.5e-08, area 1.6e-07, height 5.4e-07, root 5.0e-09.
 pub const SINGLE: Fits = Fits {
     shape: &[
         0.94559944,
@@ -54,11 +57,12 @@ pub const SINGLE: Fits = Fits {
         -0.063446075,
         0.022114987,
     ],
+    root: &[0.33333334, 0.22221696, 0.17283025, 0.14565912, 0.12666093],
 };
 
 /// For `f64`: each decimal is the shortest that reads as the number of that type that is meant.
 ///
-/// Worst errors: shape 2.1e-16, area 8.1e-17, height 1.1e-15.
+/// Worst errors: shape 2.1e-16, area 8.1e-17, height 1.1e-15, root 5.0e-09.
 pub const DOUBLE: Fits = Fits {
     shape: &[
         0.9455994348748603,
@@ -129,6 +133,13 @@ pub const DOUBLE: Fits = Fits {
         0.6937963401933932,
         -0.16010385576959557,
         0.01737424422258128,
+    ],
+    root: &[
+        0.3333333438278878,
+        0.22221696008117567,
+        0.1728302464222366,
+        0.14565913180067855,
+        0.1266609277474087,
     ],
 };
 

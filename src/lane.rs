@@ -337,15 +337,20 @@ macro_rules! fork {
 pub(crate) use fork;
 
 /// Writes something twice where the lane [forks](Lane::FORKS), for a mask that is true and for one that is false: `knowing!(Lane,
-/// mask => then)`. What `then` decides by that mask costs nothing then.
+/// mask => then)`. What `then` decides by that variable costs nothing then.
 macro_rules! knowing {
-    ($lane:ty, $mask:expr => $then:expr) => {
-        if <$lane as $crate::lane::Lane>::FORKS && $crate::lane::Mask::all($mask) {
+    ($lane:ty, $mask:ident => $then:expr) => {{
+        let zero = <$lane as $crate::lane::Lane>::lit(0.0);
+        if !<$lane as $crate::lane::Lane>::FORKS {
+            $then
+        } else if $crate::lane::Mask::all($mask) {
+            let $mask = zero.le(zero);
             $then
         } else {
+            let $mask = zero.lt(zero);
             $then
         }
-    };
+    }};
 }
 pub(crate) use knowing;
 

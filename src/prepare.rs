@@ -123,8 +123,10 @@ impl<L: Lane> Input<L> {
     #[inline(always)]
     pub(crate) fn prepare(&self) -> (Sampler<L>, L::Mask) {
         let (view, is_valid) = self.view();
-        let cut = branch!(view.is_cut(), view.cut(), view.uncut());
-        let sampler = Sampler::new(Cap::of(view, cut), self.receiver.strategy);
+        let case = view.case();
+        let cut = branch!(case.is_cut, view.cut(), view.uncut());
+        let (cap, strategy) = (Cap::of(view, case, cut), self.receiver.strategy);
+        let sampler = Sampler::of(cap, case, cap.has_solid_angle_alone(&strategy), strategy);
         (sampler, is_valid & sampler.is_possible())
     }
 
@@ -133,7 +135,7 @@ impl<L: Lane> Input<L> {
     pub(crate) fn sample(&self, [u0, u1]: [L; 2]) -> (Sample<L>, L, L::Mask) {
         let (view, is_valid) = self.view();
         with_sampler!(L, view, self.receiver.strategy, (sampler, case) => {
-            (sampler.sample_case(case, u0, u1), sampler.cap().distance(), is_valid & sampler.is_possible())
+            (sampler.sample_case(case, sampler.is_mixed(), u0, u1), sampler.cap().distance(), is_valid & sampler.is_possible())
         })
     }
 

@@ -23,12 +23,14 @@ pub(super) struct Frame<L> {
     pub length: L,
     /// `X d`.
     pub x_d: L,
+    /// 1, or 0 without a surface.
+    pub on_surface: L,
 }
-blend_fields!(Frame { up, sideways, length, x_d });
+blend_fields!(Frame { up, sideways, length, x_d, on_surface });
 
 impl<L: Lane> Frame<L> {
     #[inline(always)]
-    pub(super) fn new(normal: Vec3<L>, on_surface: L::Mask, sphere: &Sphere<L>) -> Self {
+    pub(super) fn new(normal: Vec3<L>, sphere: &Sphere<L>) -> Self {
         let Sphere { lengths: Lengths { centre, .. }, distance2, .. } = *sphere;
         // |n x C| is X d.
         let sideways = normal.cross_of_distinct(centre);
@@ -38,6 +40,8 @@ impl<L: Lane> Frame<L> {
             {
                 let sideways = normal.cross(centre);
                 let length2 = sideways.dot(sideways);
+                // Only here may there be no surface: without a normal the product is 0.
+                let on_surface = L::lit(0.0).lt(normal.dot(normal));
                 // No branch: this side is rare enough.
                 Self::blend(
                     length2.lt(distance2 * lit(L::MIN_POSITIVE * AT_ZENITH2)),
@@ -52,7 +56,7 @@ impl<L: Lane> Frame<L> {
     #[inline(always)]
     fn beside(up: Vec3<L>, sideways: Vec3<L>, length2: L) -> Self {
         let length = length2.sqrt();
-        Self { up, sideways, length, x_d: length }
+        Self { up, sideways, length, x_d: length, on_surface: L::lit(1.0) }
     }
 
     /// Where the centre is at the zenith (or straight below), and where there is no surface: then, the cap is as one with its
@@ -71,6 +75,7 @@ impl<L: Lane> Frame<L> {
             sideways,
             length,
             x_d: L::select(on_surface, zero, d),
+            on_surface: L::select(on_surface, L::lit(1.0), zero),
         }
     }
 }

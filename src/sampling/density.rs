@@ -1,6 +1,6 @@
 //! A direction to its density.
 
-use super::{bounded, is_mixed, solid_angle, Sampler};
+use super::{bounded, solid_angle, Sampler};
 use crate::input::is_unit;
 use crate::lane::{branch, Lane};
 use crate::offset::Offset;
@@ -70,28 +70,36 @@ impl<L: Lane> Sampler<L> {
     /// ```
     #[inline(always)]
     pub fn pdf_in_cap(&self, offset: Offset<L>) -> Density<L> {
-        self.density(self.technique, is_mixed(self.technique, self.defensive), offset)
+        self.density(self.technique, self.is_mixed(), offset)
     }
 
     #[inline(always)]
     pub(super) fn density(&self, technique: Technique, is_mixed: L::Mask, offset: Offset<L>) -> Density<L> {
-        let zero = L::lit(0.0);
-        // An empty cap's samples may have none, and the density 0 yet.
-        let cosine = offset.cosine.abs().min(L::lit(L::MAX));
-        let weight =
-            if technique == Technique::SolidAngle { zero } else { self.projected_density(technique, offset) };
-        // The mixture's arithmetic is skipped where there is no solid-angle part.
-        let (solid_angle, projected_solid_angle) = branch!(
-            is_mixed,
-            {
-                let plain = self.defensive.share * self.whole.inv_solid_angle;
-                let plain_projected = (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(L::lit(L::MAX));
-                let rest = self.defensive.rest;
-                (weight.fma(rest * cosine, plain), weight.fma(rest, plain_projected).min(L::lit(L::MAX)))
-            },
-            (weight * cosine, weight)
-        );
-        Density { solid_angle, projected_solid_angle }
+        let largest = L::lit(L::MAX);
+        let plain = self.defensive.share * self.whole.inv_solid_angle;
+        // Where nothing is sampled there may be no cosine, and the density 0 yet.
+        let cosine = offset.cosine.abs().min(largest);
+        let plain_projected = || (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(largest);
+        if technique == Technique::SolidAngle {
+            return Density { solid_angle: plain, projected_solid_angle: plain_projected() };
+        }
+        let (rest, weight) = (self.defensive.rest, self.projected_density(technique, offset));
+        let (factor, cosine) = match (technique, self.hemispheres) {
+            // The weight is the same all over this side: on the other the cosine is 0 instead.
+            (Technique::Projected, Hemispheres::Front) => {
+                (self.inv_above, offset.cosine.max(L::lit(0.0)).min(largest))
+            }
+            _ => (weight, cosine),
+        };
+        // The mixture's arithmetic is skipped where there is no part by solid angle.
+        Density {
+            solid_angle: branch!(is_mixed, factor.fma(rest * cosine, plain), factor * cosine),
+            projected_solid_angle: branch!(
+                is_mixed,
+                weight.fma(rest, plain_projected()).min(largest),
+                weight
+            ),
+        }
     }
 
     /// Density of the projected technique alone, with respect to projected solid angle.

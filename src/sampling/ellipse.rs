@@ -6,12 +6,12 @@
 //! the unit disk with `xi = 1` at the horizon's end goes to `x = X v + s Z xi`, `y = s eta`. The boundary circle is
 //! `s X (e - xi)` above the horizon there, hence `z^2 = (s X (e - xi))^2 + s^2 (1 - xi^2 - eta^2)`: a sum of positives, with
 //! `s X (e - xi) = s X (1 - xi) - rise`. The offset towards the zenith, `X z - Z x`, is `X (z - Z v) - s Z^2 xi` with
-//! `z - Z v = s (X xi (s X xi - 2 Z v) + s (1 - xi^2 - eta^2)) / (z + Z v)`.
+//! `z - Z v = (s X xi (s X xi - 2 Z v) + s^2 (1 - xi^2 - eta^2)) / (z + Z v)`.
 
 use super::split::{interior, Split};
 use super::Place;
 use crate::cap::Cap;
-use crate::disk::{disk_to_square, DiskPoint};
+use crate::disk::{disk_to_square, DiskPoint, PER_AREA};
 use crate::lane::{branch, broadcast_fields, lit, Lane};
 use crate::offset::Offset;
 
@@ -22,7 +22,7 @@ pub(super) struct Ellipse<L> {
     pub crescent_share: L,
     /// Reciprocal of the ellipse's share.
     inv_rest: L,
-    /// Area of the segment that the horizon cuts off the unit disk.
+    /// Area of the segment that the horizon cuts off the unit disk, in the units of `disk.rs`.
     pub beyond: L,
     /// `X v` and `s |Z|`: the projected ellipse's middle and half axis, seen from its horizon's end.
     middle: L,
@@ -53,7 +53,7 @@ impl<L: Lane> Ellipse<L> {
                 // Sine of half the angle that the horizon cuts off the boundary circle: tau / X.
                 let half_sine = c.t_y / cap.radius_sin;
                 let inv_rest = one / Split::new(share).rest;
-                (share, inv_rest, half_sine * half_sine * half_sine * c.shape_cut())
+                (share, inv_rest, half_sine * half_sine * half_sine * (c.shape_cut() * lit(PER_AREA)))
             },
             (zero, one, zero)
         );
@@ -73,13 +73,15 @@ impl<L: Lane> Ellipse<L> {
     pub(super) fn place(&self, cap: &Cap<L>, point: DiskPoint<L>) -> Place<L> {
         let (s, x, z_centre) = (cap.radius_sin, cap.elevation_cos, cap.elevation());
         let xi = lit(1.0) - point.from_edge;
-        let rest = point.chord2 * point.across_complement;
+        // s^2 (1 - xi^2 - eta^2) but for the chord, which comes last.
+        let rest = s * s * point.across_complement;
         let rim = self.climb.fma(point.from_edge, -cap.rise).max(L::lit(0.0));
-        let cosine = rim.fma(rim, s * s * rest).sqrt();
+        let cosine = point.chord2.fma(rest, rim * rim).sqrt();
         let side = s * point.chord * point.across;
         let zv = z_centre * cap.radius_cos;
-        let climb = (x * xi).fma(self.climb.fma(xi, lit(-2.0) * zv), s * rest) / (cosine + zv);
-        let zenith = s * x.fma(climb, -(z_centre * z_centre * xi));
+        let climb = self.climb * xi;
+        let lift = climb.fma(climb - lit(2.0) * zv, point.chord2 * rest) / (cosine + zv);
+        let zenith = x.fma(lift, -(self.half_axis * z_centre * xi));
         let along = self.half_axis.fma(xi, self.middle);
         Place { along, up: cosine, offset: Offset { zenith, side, cosine } }
     }

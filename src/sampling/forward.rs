@@ -2,13 +2,13 @@
 
 use super::crescent::{self, Slice};
 use super::split::interior;
-use super::{bounded, follows_surface, is_mixed, with_sampler, Place, Sampler};
+use super::{bounded, follows_surface, with_sampler, Place, Sampler};
 use crate::cap::{Cap, Case, View};
 use crate::disk::{
-    areas_of_chord, cube_of_power, from_edge, height_per_power, power_per_height, square_to_disk, symmetric,
-    two_thirds_power, DiskPoint,
+    areas_of_chord, from_edge, height_per_power, power_per_height, square_to_disk, symmetric, DiskPoint,
 };
 use crate::lane::{blend_fields, branch, fork, knowing, lit, Lane};
+use crate::math::two_thirds_power;
 use crate::offset::Offset;
 use crate::sample::Sample;
 use crate::strategy::{Hemispheres, Strategy, Technique};
@@ -17,8 +17,8 @@ use crate::vec3::Vec3;
 /// A segment of the unit disk, by its area: on the near or far side of a chord of a disk, or along a slice of the crescent.
 #[derive(Clone, Copy)]
 struct Segment<L> {
-    /// The cube of what is scaled to the area's power of two thirds, over `g2`.
-    cube: L,
+    /// Its power of two thirds, scaled, is that of the segment's area over `g2`: a disk's area itself, or a share of a slice's.
+    area: L,
     scale: L,
     /// The square of the length of a slice's direction; 1 for a disk.
     g2: L,
@@ -27,7 +27,7 @@ struct Segment<L> {
     /// Of a slice: the component of its direction towards the zenith.
     m: L,
 }
-blend_fields!(Segment { cube, scale, g2; only near_minus_far; otherwise m });
+blend_fields!(Segment { area, scale, g2; only near_minus_far; otherwise m });
 
 impl<L: Lane> Sample<L> {
     /// The sample of a sphere that is sampled once: the bits of `Sampler::new(Cap::new(normal, centre, radius), strategy).sample(u0, u1)`,
@@ -51,7 +51,7 @@ impl<L: Lane> Sample<L> {
         u1: L,
     ) -> Self {
         let view = View::new(normal.into().into(), centre.into().into(), radius);
-        with_sampler!(L, view, strategy, (sampler, case) => sampler.sample_case(case, u0, u1))
+        with_sampler!(L, view, strategy, (sampler, case) => sampler.sample_case(case, sampler.is_mixed(), u0, u1))
     }
 }
 
@@ -63,24 +63,35 @@ impl<L: Lane> Sampler<L> {
     /// The map is continuous for each part of a mixture. An empty cap gives density 0 and an arbitrary direction.
     #[inline(always)]
     pub fn sample(&self, u0: L, u1: L) -> Sample<L> {
-        self.sample_case(self.cap.case(), u0, u1)
+        let is_mixed = self.is_mixed();
+        knowing!(L, is_mixed => self.sample_case(self.cap.case(), is_mixed, u0, u1))
     }
 
-    /// The same, of a cap whose case is known.
+    /// The same, where this is known.
     #[inline(always)]
-    pub(crate) fn sample_case(&self, case: Case<L::Mask>, u0: L, u1: L) -> Sample<L> {
+    pub(crate) fn sample_case(&self, case: Case<L::Mask>, is_mixed: L::Mask, u0: L, u1: L) -> Sample<L> {
         // For scalars once for each technique, so that what one does not need is not computed for it.
         match self.technique {
-            Technique::Projected if L::FORKS => self.sample_with(Technique::Projected, case, u0, u1),
-            Technique::SolidAngle if L::FORKS => self.sample_with(Technique::SolidAngle, case, u0, u1),
-            technique => self.sample_with(technique, case, u0, u1),
+            Technique::Projected if L::FORKS => {
+                self.sample_with(Technique::Projected, case, is_mixed, u0, u1)
+            }
+            Technique::SolidAngle if L::FORKS => {
+                self.sample_with(Technique::SolidAngle, case, is_mixed, u0, u1)
+            }
+            technique => self.sample_with(technique, case, is_mixed, u0, u1),
         }
     }
 
     #[inline(always)]
-    fn sample_with(&self, technique: Technique, case: Case<L::Mask>, u0: L, u1: L) -> Sample<L> {
+    fn sample_with(
+        &self,
+        technique: Technique,
+        case: Case<L::Mask>,
+        is_mixed: L::Mask,
+        u0: L,
+        u1: L,
+    ) -> Sample<L> {
         let (u0, u1) = (interior(u0), interior(u1));
-        let is_mixed = is_mixed(technique, self.defensive);
         let Place { along, up, offset } = match technique {
             Technique::SolidAngle => {
                 let (along, offset) = self.whole.place(&self.cap, square_to_disk(u0, u1));
@@ -137,7 +148,8 @@ impl<L: Lane> Sampler<L> {
     ) -> Place<L> {
         let one = L::lit(1.0);
         let is_plain = is_mixed & self.defensive.is_first(u0);
-        let u0 = branch!(L::lit(0.0).lt(self.requested), self.defensive.left_over(u0, is_plain), u0);
+        let is_choice = is_mixed & L::lit(0.0).lt(self.requested);
+        let u0 = branch!(is_choice, self.defensive.left_over(u0, is_plain), u0);
         let Case { is_cut, is_centre_above } = case;
         match self.hemispheres {
             Hemispheres::Front => self.sample_part(technique, is_plain, is_cut, is_centre_above, u0, u1),
@@ -206,8 +218,7 @@ impl<L: Lane> Sampler<L> {
                 let ellipse = &self.ellipse;
                 let (u0, beyond) = branch!(is_whole, (u0, L::lit(0.0)), (ellipse.left_over(u0), ellipse.beyond));
                 let [near, far] = areas_of_chord(u0, beyond);
-                let cube = cube_of_power(near.min(far));
-                Segment { cube, scale: one, g2: one, near_minus_far: near - far, m: one }
+                Segment { area: near.min(far), scale: one, g2: one, near_minus_far: near - far, m: one }
             },
             {
                 let Slice { u0, m, g2, end } = match technique {
@@ -216,11 +227,11 @@ impl<L: Lane> Sampler<L> {
                     }
                     _ => bounded::slice(cap, is_segment, share, u0, across_complement),
                 };
-                Segment { cube: u0, scale: end * power_per_height(g2 * end), g2, near_minus_far: one, m }
+                Segment { area: u0, scale: end * power_per_height(g2 * end), g2, near_minus_far: one, m }
             },
-            Segment { cube, scale, g2, near_minus_far, m } => {
+            Segment { area, scale, g2, near_minus_far, m } => {
             // Heights over g2, so that thin slices keep their digits.
-            let k = scale * two_thirds_power(cube);
+            let k = scale * two_thirds_power(area);
             let h1 = k * height_per_power(k * g2);
             // The middle of the disk is as far as its segments go.
             let h1 = branch!(is_disk, h1.min(one), h1);

@@ -53,7 +53,7 @@ pub struct Sampler<L> {
     cap: Cap<L>,
     /// By solid angle or by the projected technique: a share of 0 or 1 where only one part exists.
     defensive: Split<L>,
-    /// The fraction that was asked for: where it is 0, a random number has nothing to choose.
+    /// The fraction that was asked for: where it is 0, random numbers choose nothing, so nothing is left over of them.
     requested: L,
     /// Reciprocal projected solid angles above and below the horizon; 0 for a side with nothing on it.
     inv_above: L,
@@ -87,13 +87,16 @@ blend_fields!(Place { along, up, offset });
 macro_rules! with_sampler {
     ($lane:ty, $view:expr, $strategy:expr, ($sampler:ident, $case:ident) => $then:expr) => {{
         let view = $view;
-        let is_cut = view.is_cut();
+        let $crate::cap::Case { is_cut, is_centre_above } = view.case();
         $crate::lane::fork!($lane, is_cut, view.cut(), view.uncut(), cut => {
-            let cap = $crate::cap::Cap::of(view, cut);
-            let $case = $crate::cap::Case { is_cut, ..cap.case() };
-            $crate::lane::knowing!($lane, $case.is_centre_above => {
-                let $sampler = Sampler::of(cap, $case, $strategy);
-                $then
+            $crate::lane::knowing!($lane, is_centre_above => {
+                let $case = $crate::cap::Case { is_cut, is_centre_above };
+                let (cap, strategy) = ($crate::cap::Cap::of(view, $case, cut), $strategy);
+                let is_alone = cap.has_solid_angle_alone(&strategy);
+                $crate::lane::knowing!($lane, is_alone => {
+                    let $sampler = Sampler::of(cap, $case, is_alone, strategy);
+                    $then
+                })
             })
         })
     }};
@@ -112,12 +115,12 @@ impl<L: Lane> Sampler<L> {
     /// ```
     #[inline(always)]
     pub fn new(cap: Cap<L>, strategy: Strategy<L>) -> Self {
-        Self::of(cap, cap.case(), strategy)
+        Self::of(cap, cap.case(), cap.has_solid_angle_alone(&strategy), strategy)
     }
 
-    /// The same, of a cap whose case is known.
+    /// The same, of a cap of which this is known.
     #[inline(always)]
-    pub(crate) fn of(cap: Cap<L>, case: Case<L::Mask>, strategy: Strategy<L>) -> Self {
+    pub(crate) fn of(cap: Cap<L>, case: Case<L::Mask>, is_alone: L::Mask, strategy: Strategy<L>) -> Self {
         let Strategy { technique, hemispheres, defensive } = strategy;
         let zero = L::lit(0.0);
         let reciprocal = |area: L| L::select(zero.lt(area), lit(1.0) / area, zero);
@@ -126,35 +129,28 @@ impl<L: Lane> Sampler<L> {
             Hemispheres::Front => zero,
             Hemispheres::Both => reciprocal(cap.projected_below),
         };
-        let samples_projected = zero.lt(inv_above + inv_below);
-        // With nothing for the technique to sample, a defensive sampler still covers the whole cap: a shading normal may
-        // see what the geometric one does not. So does every sampler without a surface, where no cosine exists.
-        let on_surface = cap.is_on_surface();
-        let alone = L::select(zero.lt(defensive) | !on_surface, L::lit(1.0), zero);
         // The centre's side is the ellipse's; the other is the crescent's.
         let Case { is_cut, is_centre_above } = case;
         let (cuts_ellipse, uses_crescent) = match hemispheres {
             Hemispheres::Front => (is_cut & is_centre_above, is_cut & !is_centre_above),
             Hemispheres::Both => (is_cut, is_cut),
         };
-        let requested = defensive;
         let inv_larger = L::select(is_centre_above, inv_above, inv_below);
-        let (defensive, ellipse, marginal) = match technique {
-            Technique::SolidAngle => (L::lit(1.0), ellipse::Ellipse::unused(), crescent::Marginal::unused()),
-            Technique::ProjectedBounded => (
-                L::select(samples_projected, defensive, alone),
-                ellipse::Ellipse::new(&cap, cuts_ellipse, inv_larger),
-                crescent::Marginal::unused(),
-            ),
-            Technique::Projected => (
-                L::select(samples_projected, defensive, alone),
-                ellipse::Ellipse::new(&cap, cuts_ellipse, inv_larger),
-                crescent::Marginal::new(&cap, uses_crescent),
-            ),
+        let ellipse = match technique {
+            Technique::SolidAngle => ellipse::Ellipse::unused(),
+            _ => ellipse::Ellipse::new(&cap, cuts_ellipse, inv_larger),
         };
+        let marginal = match technique {
+            Technique::Projected => crescent::Marginal::new(&cap, uses_crescent),
+            _ => crescent::Marginal::unused(),
+        };
+        let plain_share = L::select(is_alone, L::lit(1.0), defensive);
         let whole = match technique {
             Technique::SolidAngle => solid_angle::Whole::new(&cap),
-            _ => branch!(zero.lt(defensive), solid_angle::Whole::new(&cap), solid_angle::Whole::unused()),
+            _ => {
+                let (new, unused) = (solid_angle::Whole::new, solid_angle::Whole::unused);
+                branch!(zero.lt(plain_share), new(&cap), unused())
+            }
         };
         let third_axis = if follows_surface::<L>(technique) {
             cap.sideways.cross_of_distinct(cap.up)
@@ -162,7 +158,7 @@ impl<L: Lane> Sampler<L> {
             cap.towards_zenith()
         };
         let one = L::lit(1.0);
-        let [share, rest] = match hemispheres {
+        let [above, below] = match hemispheres {
             Hemispheres::Front => [one, zero],
             // A side with nothing on it (that can be weighed) gets no samples.
             Hemispheres::Both => {
@@ -177,11 +173,11 @@ impl<L: Lane> Sampler<L> {
             technique,
             hemispheres,
             cap,
-            defensive: Split::new(defensive),
-            requested,
+            defensive: Split::new(plain_share),
+            requested: defensive,
             inv_above,
             inv_below,
-            sides: Split { share, rest },
+            sides: Split { share: above, rest: below },
             third_axis,
             whole,
             ellipse,
@@ -195,6 +191,12 @@ impl<L: Lane> Sampler<L> {
         let zero = L::lit(0.0);
         let plain = zero.lt(self.defensive.share) & zero.lt(self.whole.inv_solid_angle);
         !(zero.lt(self.inv_above + self.inv_below) | plain)
+    }
+
+    /// Whether there is a part by solid angle, alone or beside another.
+    #[inline(always)]
+    pub(crate) fn is_mixed(&self) -> L::Mask {
+        L::lit(0.0).lt(self.defensive.share)
     }
 
     /// The geometry that was prepared.
@@ -217,15 +219,6 @@ impl<L: Lane> Sampler<L> {
         let behind = centre.lt(L::lit(0.0));
         let outside = Offset { zenith: L::lit(1.0), side: L::lit(1.0), cosine };
         Offset::blend(behind, outside, Offset { zenith, side, cosine })
-    }
-}
-
-/// Whether there is a part by solid angle.
-#[inline(always)]
-fn is_mixed<L: Lane>(technique: Technique, defensive: Split<L>) -> L::Mask {
-    match technique {
-        Technique::SolidAngle => L::lit(0.0).le(L::lit(0.0)),
-        _ => L::lit(0.0).lt(defensive.share),
     }
 }
 

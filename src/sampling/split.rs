@@ -24,7 +24,13 @@ impl<L: Lane> Split<L> {
     /// Whether a random number chooses the first part.
     #[inline(always)]
     pub(super) fn is_first(self, u: L) -> L::Mask {
-        u.lt(self.share)
+        let is_first = u.lt(self.share);
+        // Numbers are below 1, but the compiler does not know that; where it knows the share, this decides.
+        if L::FORKS {
+            L::lit(1.0).le(self.share) | is_first
+        } else {
+            is_first
+        }
     }
 
     /// What is left of a random number in the part that it chose: off the ends of the unit interval.

@@ -97,7 +97,7 @@ def test_a_changed_crescent_is_noticed(made):
             assert list(differences(made, made.replace(number, changed)))
 
 
-@pytest.mark.parametrize("name", ["shape", "area", "height"])
+@pytest.mark.parametrize("name", ["shape", "area", "height", "root"])
 def test_single_precision_coefficients_are_single_precision_numbers(name):
     """Read as f64 and converted, or read as f32: the same."""
     for decimal in rust.numbers(TEXT, f"SINGLE.{name}"):
@@ -167,6 +167,26 @@ def test_height_ends_at_one(precision, epsilon):
     assert abs(end * horner(coefficients, end)[0] - 1) <= epsilon
     heights = [k * horner(coefficients, k)[0] for k in (end * i / 1000 for i in range(1001))]
     assert all(low < high for low, high in pairwise(heights))
+
+
+@pytest.mark.parametrize("precision", ["SINGLE", "DOUBLE"])
+def test_root(precision):
+    """The relative error of 1 + r R(r), for all residuals that the guess of the cube root leaves."""
+    name = f"{precision}.root"
+    coefficients = polynomial(name)
+    residuals = [(2 * x - 1) * mpf("0.1021") for x in between(500)]
+    assert_stated(
+        max(abs((1 + r * horner(coefficients, r)[0]) * (1 - r) ** (mpf(1) / 3) - 1) for r in residuals), name
+    )
+
+
+def test_the_guess_of_the_cube_root_leaves_no_larger_residual():
+    """By exact arithmetic: x = m 2^e has the exponent and fraction e + m - 1, of which -1/3 is taken."""
+    for third, m in product(range(3), [1 + mpf(i) / 4096 for i in range(4097)]):
+        guess = mpf(4) / 3 * 127 - mpf("0.068") - (third + 127 + m - 1) / 3
+        exponent = int(guess // 1)
+        y = (1 + guess - exponent) * mpf(2) ** (exponent - 127)
+        assert abs(1 - m * mpf(2) ** third * y**3) <= mpf("0.1021")
 
 
 # crescents -------------------------------------------------------------------------------------------------
