@@ -6,16 +6,21 @@ use crate::common::strata::{nearly_set, scene, OCTAVES, STRATA};
 use crate::common::{dot, lanes, neighbours, widen, Random, Scene, TECHNIQUES};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use spherecap::{Cap, Hemispheres, Refusal, Strategy, Technique};
+use spherecap::{Cap, Hemispheres, Offset, Refusal, Strategy, Technique};
 
-/// What f32 does not know of what is left above the horizon, `b = r + n.C`, relative to b. `r + hi` is exact where little is left, so
+/// What f32 does not know of the height of anything above the horizon, in units of d. For what is left there, `b = r + n.C`: `r + hi` is exact where little is left, so
 /// all is in the `lo` of the compensated height (`compensated.rs`): the rounding errors of the products x, y and z, added in four sums.
 /// Each is off by 2^-48 of what the errors that it adds belong to: of `|x| + |y|`; of `A = |x| + |y| + |z|`; of `|x + y| + |h|`; and, the
 /// last, of all these. None of A, `|x + y|` and `|h|` is more than d, which makes 7 times 2^-48 d. (Where the sphere is so small that `lo`
 /// is larger than `hi`, h vanishes and `|x + y|` is half of A at most: 3.5, and 1.5 for the rounding of `lo` in `normalised`.)
+fn height_unit() -> f64 {
+    7.0 * f64::from(-48).exp2()
+}
+
+/// The same relative to b.
 fn height_error(cap: &Cap<f64>) -> f64 {
     let left = cap.radius_sin() + cap.elevation_sin();
-    7.0 * f64::from(-48).exp2() / left.max(f64::MIN_POSITIVE)
+    height_unit() / left.max(f64::MIN_POSITIVE)
 }
 
 /// What that is for the area, relative to the area, which goes with the 5/2 power of b where b is small, and with lower ones
@@ -123,10 +128,14 @@ fn check(scene: &Scene, technique: Technique, u: [f32; 2]) -> Result<(), TestCas
     let at = exact.invert(offset);
     let inverse = sampler.invert(sample.offset);
     let around = neighbours(&exact, technique, offset, f64::from(f32::EPSILON)).map(|o| exact.invert(o));
+    // Where a cap nearly touches the horizon, its end is at a height that f32 does not know to epsilon.
+    let raised =
+        [height_unit(), -height_unit()].map(|h| exact.invert(Offset { cosine: offset.cosine + h, ..offset }));
     for i in 0..2 {
-        let resolution = around.iter().fold(0.0_f64, |most, v| most.max((v[i] - at[i]).abs()));
+        let farthest = |all: &[[f64; 2]]| all.iter().fold(0.0_f64, |most, v| most.max((v[i] - at[i]).abs()));
+        let resolution = farthest(&around);
         // Where it is a hundredth, a chord is about as short as its rounding: the inverse is not linear there, and nothing is known.
-        let bound = if resolution < 0.01 { 1e-5 + 2.0 * resolution } else { 1.0 };
+        let bound = if resolution < 0.01 { 1e-5 + 2.0 * resolution + farthest(&raised) } else { 1.0 };
         for got in [at[i], f64::from(inverse[i])] {
             let error = (got - f64::from(u[i])).abs();
             prop_assert!(
@@ -175,6 +184,15 @@ proptest! {
         let longest = centre.iter().fold(radius, |m, x| m.max(x.abs()));
         prop_assume!(longest > 1e-30 && longest < 1e38);
         check(&Scene { centre, radius, ..any_scene }, TECHNIQUES[technique], u)?;
+    }
+}
+
+/// One of 15 million inputs: a cap above the horizon by a tenth of its radius, and the number at that end. What f32 does not know of its
+/// height is 180 epsilons of the end's.
+#[test]
+fn an_end_near_the_horizon_is_inverted_to_what_is_known_of_its_height() {
+    for technique in TECHNIQUES {
+        check(&scene(5, &mut Random(8_800_317_263_241_397_974)), technique, [0.0, 0.0]).unwrap();
     }
 }
 
