@@ -296,9 +296,9 @@ impl<L: Lane> Cap<L> {
         Case { is_cut: self.crescent.exists(), is_centre_above: L::lit(0.0).lt(self.elevation_sin) }
     }
 
-    /// Whether this strategy can sample the cap by nothing but solid angles: with nothing for a projected technique to sample, a
-    /// defensive sampler still covers the whole cap, for a shading normal may see what the geometric one does not. So does every
-    /// sampler without a surface, where no cosine exists.
+    /// Whether this strategy samples the cap by nothing but solid angles: by that technique always. With nothing for a projected one to
+    /// sample, a defensive sampler still covers the whole cap, for a shading normal may see what the geometric one does not; so does
+    /// every sampler without a surface, where no cosine exists.
     #[inline(always)]
     pub(crate) fn has_solid_angle_alone(&self, strategy: &Strategy<L>) -> L::Mask {
         let zero = L::lit(0.0);

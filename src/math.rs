@@ -2,8 +2,9 @@
 
 use crate::lane::{lit, Lane};
 
-/// `c[0] + c[1] x + c[2] x^2 + ...`, by Horner's rule in the third power of x, whose coefficients are three terms each (short ones: two
-/// in the square). A product or two more than by Horner's rule in x, and half as long a chain of steps that wait for each other.
+/// `c[0] + c[1] x + c[2] x^2 + ...`, by Horner's rule in the third power of x, whose coefficients are three terms each: two products
+/// more than by Horner's rule in x, and half as long a chain of steps that wait for each other. Up to five terms the square, with two
+/// terms each, makes as short a chain with a product less.
 #[inline(always)]
 pub(crate) fn polynomial<L: Lane>(x: L, coefficients: &[f64]) -> L {
     let x2 = x * x;
@@ -74,7 +75,7 @@ pub(crate) fn polynomial_of_two<L: Lane>(x: L, y: L, coefficients: &[&[f64]]) ->
 ///
 /// The first guess `y` of `x^(-1/3)` divides the bit pattern by -3 (the trick of the fast inverse square root); 0.068 makes the
 /// residual `r = 1 - x y^3` as small as possible, 0.102. The rest is `(1 - r)^(-1/3)`, by a fit; in double precision a step of
-/// Newton's method follows, which takes its error of 6e-9 to 1e-16.
+/// Newton's method follows, which takes its error of 5e-9 to 5e-17.
 #[inline(always)]
 pub(crate) fn two_thirds_power<L: Lane>(x: L) -> L {
     let unit = (L::SIGNIFICAND_BITS as f64).exp2();
@@ -133,7 +134,6 @@ mod tests {
                 }
             }
         }
-        println!("{worst:?}");
         assert!(worst.0 < 3e-7 && worst.1 < 5e-16, "{worst:?}");
         assert_eq!((two_thirds_power(0.0_f32), two_thirds_power(0.0_f64)), (0.0, 0.0));
     }

@@ -135,7 +135,8 @@ impl<L: Lane> Input<L> {
     pub(crate) fn sample(&self, [u0, u1]: [L; 2]) -> (Sample<L>, L, L::Mask) {
         let (view, is_valid) = self.view();
         with_sampler!(L, view, self.receiver.strategy, (sampler, case) => {
-            (sampler.sample_case(case, sampler.is_mixed(), u0, u1), sampler.cap().distance(), is_valid & sampler.is_possible())
+            let sample = sampler.sample_case(case, sampler.is_mixed(), u0, u1);
+            (sample, sampler.cap().distance(), is_valid & sampler.is_possible())
         })
     }
 

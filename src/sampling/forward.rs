@@ -51,7 +51,9 @@ impl<L: Lane> Sample<L> {
         u1: L,
     ) -> Self {
         let view = View::new(normal.into().into(), centre.into().into(), radius);
-        with_sampler!(L, view, strategy, (sampler, case) => sampler.sample_case(case, sampler.is_mixed(), u0, u1))
+        with_sampler!(L, view, strategy, (sampler, case) => {
+            sampler.sample_case(case, sampler.is_mixed(), u0, u1)
+        })
     }
 }
 

@@ -83,7 +83,7 @@ struct Place<L> {
 blend_fields!(Place { along, up, offset });
 
 /// Does something with the sampler of a view, and the case that it is: `with_sampler!(Lane, view, strategy, (sampler, case) =>
-/// then)`. Scalars do it once for each case.
+/// then)`. Scalars do it once for each case, and for solid angles alone.
 macro_rules! with_sampler {
     ($lane:ty, $view:expr, $strategy:expr, ($sampler:ident, $case:ident) => $then:expr) => {{
         let view = $view;

@@ -8,9 +8,9 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use spherecap::{Cap, Hemispheres, Offset, Refusal, Strategy, Technique};
 
-/// What f32 does not know of the height of anything above the horizon, in units of d. For what is left there, `b = r + n.C`: `r + hi` is exact where little is left, so
-/// all is in the `lo` of the compensated height (`compensated.rs`): the rounding errors of the products x, y and z, added in four sums.
-/// Each is off by 2^-48 of what the errors that it adds belong to: of `|x| + |y|`; of `A = |x| + |y| + |z|`; of `|x + y| + |h|`; and, the
+/// What f32 does not know of the height of anything above the horizon, in units of d. For what is left there, `b = r + n.C`: `r + hi`
+/// is exact where little is left, so all is in the `lo` of the compensated height (`compensated.rs`): the rounding errors of the
+/// products x, y and z, added in four sums. Each is off by 2^-48 of what the errors that it adds belong to: of `|x| + |y|`; of `A = |x| + |y| + |z|`; of `|x + y| + |h|`; and, the
 /// last, of all these. None of A, `|x + y|` and `|h|` is more than d, which makes 7 times 2^-48 d. (Where the sphere is so small that `lo`
 /// is larger than `hi`, h vanishes and `|x + y|` is half of A at most: 3.5, and 1.5 for the rounding of `lo` in `normalised`.)
 fn height_unit() -> f64 {
