@@ -7,7 +7,7 @@ use crate::published::Published;
 use crate::scenes::Scene;
 use spherecap::batch::{Batch, Instructions, Samples};
 use spherecap::{
-    Cap, Density, Hemispheres, Lane, Offset, Receiver, Sample, Sampler, Scalar, Strategy, Technique, Vec3,
+    Density, Hemispheres, Lane, Offset, Receiver, Sample, Sampler, Scalar, Strategy, Technique, Vec3,
 };
 use std::hint::black_box;
 
@@ -48,7 +48,8 @@ macro_rules! calls {
 }
 calls! {
     fn prepare[F: Scalar](strategy: &Strategy<F>, scene: &[F; 7], sampler: &mut Sampler<F>) {
-        *sampler = Sampler::new(cap(scene), *strategy);
+        let [nx, ny, nz, cx, cy, cz, radius] = *scene;
+        *sampler = Sampler::new([nx, ny, nz], [cx, cy, cz], radius, *strategy);
     }
     fn prepare_and_sample[F: Scalar, const TECHNIQUE: usize](scene: &[F; 7], u0: F, u1: F) -> (Vec3<F>, F) {
         let [nx, ny, nz, cx, cy, cz, radius] = *scene;
@@ -77,12 +78,6 @@ calls! {
         let Scene { normal, centre, radius } = *scene;
         Published::new(normal.into(), centre.into(), radius).sample::<CUBE_ROOT>(u0, u1)
     }
-}
-
-#[inline(always)]
-fn cap<F: Scalar>(scene: &[F; 7]) -> Cap<F> {
-    let [nx, ny, nz, cx, cy, cz, radius] = *scene;
-    Cap::new([nx, ny, nz], [cx, cy, cz], radius)
 }
 
 /// As [`calls!`], but the library chooses the instructions.

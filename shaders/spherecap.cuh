@@ -84,7 +84,7 @@ struct spherecap_surface_light {
     float width;
     float cut;
     float rise;
-    float inv_above;
+    float density_above;
     float3 third_axis;
     float crescent_share;
     float inv_rest;
@@ -235,8 +235,8 @@ static __device__ inline spherecap_surface_light spherecap_surface_prepare(float
     const float sideways_z = t30 * t89;
     const float distance = t58 * (t2 ? 1.0f : unscale);
     const float projected_above = (9.403955e-38f < t87 && t88 && t61) ? t87 : 0.0f;
-    const float inv_above = 0.0f < projected_above ? 1.0f / projected_above : 0.0f;
-    const float t90 = t63 ? inv_above : 0.0f;
+    const float density_above = 0.0f < projected_above ? 1.0f / projected_above : 0.0f;
+    const float t90 = t63 ? density_above : 0.0f;
     const bool t91 = t62 && t63 && 0.0f < t90;
     const float t92 = t_y * t_y * t_y * shape * t90;
     const float t93 = t_y / radius_sin;
@@ -277,12 +277,12 @@ static __device__ inline spherecap_surface_light spherecap_surface_prepare(float
         b_5 = t120 - t119;
         b_6 = -t120;
     }
-    const bool t121 = 0.0f < radius && distance <= 3.4028235e38f && 0.0f < inv_above;
+    const bool t121 = 0.0f < radius && distance <= 3.4028235e38f && 0.0f < density_above;
     const float t122 = ((0.0f < radius_cos && t88) ? t86 / (1.0f + radius_cos) : 0.0f) * 6.2831855f;
     const spherecap_surface_light result = {
         t121, t121 ? t122 : 0.0f, t121 ? projected_above : 0.0f, make_float3(t5 * t59, t6 * t59, t7 * t59),
         make_float3(sideways_x, sideways_y, sideways_z), normal, distance, radius_sin, radius_cos,
-        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, inv_above,
+        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, density_above,
         make_float3(fmaf(sideways_y, normal.z, -(sideways_z * normal.y)), fmaf(sideways_z, normal.x, -(sideways_x * normal.z)), fmaf(sideways_x, normal.y, -(sideways_y * normal.x))),
         t91 ? t92 : 0.0f, t91 ? 1.0f / (1.0f - t92) : 1.0f, t91 ? t94 : 0.0f, elevation_cos * radius_cos,
         radius_sin * t85, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
@@ -343,51 +343,52 @@ static __device__ inline spherecap_sample spherecap_surface_sample(spherecap_sur
     const float t39 = fmaf(fmaf(fmaf(0.022114987f, t37, -0.063446075f), t37, 0.085662976f), t38, fmaf(fmaf(-0.056249518f, t37, 0.030445365f), t37, 0.0074712755f));
     const float t40 = fmaf(t39, t38, fmaf(fmaf(0.03209764f, t37, 0.09996679f), t37, 1.0000004f));
     const float t41 = t36 * t40;
-    const float t42 = t7 ? spherecap_min(t41, 1.0f) : t41;
-    const float t43 = t20 * t42;
-    const float t44 = 2.0f - t43;
-    const float t45 = t42 * t44;
-    const float t46 = sqrtf(t45);
-    float zenith, side, cosine, t47;
+    const float t42 = t20 * t41;
+    const float t43 = 2.0f - t42;
+    const float t44 = t41 * t43;
+    const float t45 = sqrtf(t44);
+    float zenith, side, cosine, t46;
     if (t7) {
-        const float t48 = t15 - t16 < 0.0f ? t43 : t44;
-        const float t49 = 1.0f - t48;
-        const float t50 = light.radius_sin * light.radius_sin * t10;
-        const float t51 = spherecap_max(fmaf(light.climb, t48, -light.rise), 0.0f);
-        cosine = sqrtf(fmaf(t45, t50, t51 * t51));
-        const float t52 = t1 * light.radius_cos;
-        const float t53 = light.climb * t49;
-        zenith = fmaf(light.elevation_cos, fmaf(t53, t53 - 2.0f * t52, t45 * t50) / (cosine + t52), -(light.half_axis * t1 * t49));
-        side = light.radius_sin * t46 * t9;
-        t47 = fmaf(light.half_axis, t49, light.middle);
+        const float t47 = t15 - t16 < 0.0f ? t42 : t43;
+        const float t48 = 1.0f - t47;
+        const float t49 = light.radius_sin * light.radius_sin * t10;
+        const float t50 = spherecap_max(fmaf(light.climb, t47, -light.rise), 0.0f);
+        cosine = sqrtf(fmaf(t44, t49, t50 * t50));
+        const float t51 = t1 * light.radius_cos;
+        const float t52 = light.climb * t48;
+        zenith = fmaf(light.elevation_cos, fmaf(t52, t52 - 2.0f * t51, t44 * t49) / (cosine + t51), -(light.half_axis * t1 * t48));
+        side = light.radius_sin * t45 * t9;
+        t46 = fmaf(light.half_axis, t48, light.middle);
     } else {
-        cosine = t46 * t17;
-        t47 = 1.0f - t43;
-        zenith = fmaf(light.elevation_cos, cosine, -((t5 ? -t1 : t1) * t47));
-        side = t46 * t9;
+        cosine = t45 * t17;
+        t46 = 1.0f - t42;
+        zenith = fmaf(light.elevation_cos, cosine, -((t5 ? -t1 : t1) * t46));
+        side = t45 * t9;
     }
-    const float t54 = light.inv_above * spherecap_min(spherecap_max(cosine, 0.0f), 3.4028235e38f);
-    const float t55 = fmaf(zenith, zenith, side * side);
-    const float t56 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t55), 0.0f);
-    const float t57 = sqrtf(t56);
-    const float t58 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t56));
-    const float t59 = light.radius_cos * light.radius_cos / (t58 + t57);
-    const float t60 = 1.0f / light.radius_sin;
-    const float t61 = t59 * t60;
-    const float t62 = -fmaf(t58, t57, t55) * t60;
-    const float t63 = t61 * zenith;
-    const float t64 = t61 * side;
-    const float t65 = fmaf(light.third_axis.x, t47, fmaf(light.sideways.x, side, light.normal.x * cosine));
-    const float t66 = fmaf(light.third_axis.y, t47, fmaf(light.sideways.y, side, light.normal.y * cosine));
-    const float t67 = fmaf(light.third_axis.z, t47, fmaf(light.sideways.z, side, light.normal.z * cosine));
-    const float t68 = fmaf(light.elevation_cos, t62, -(light.elevation_sin * t63));
-    const float t69 = fmaf(light.elevation_sin, t62, light.elevation_cos * t63);
-    const float t70 = fmaf(light.third_axis.x, t68, fmaf(light.sideways.x, t64, light.normal.x * t69));
-    const float t71 = fmaf(light.third_axis.y, t68, fmaf(light.sideways.y, t64, light.normal.y * t69));
-    const float t72 = fmaf(light.third_axis.z, t68, fmaf(light.sideways.z, t64, light.normal.z * t69));
+    const float t53 = fmaf(light.density_above, spherecap_min(spherecap_max(cosine, 0.0f), 3.4028235e38f), 0.0f);
+    const float t54 = spherecap_max(spherecap_min(fabsf(cosine), 3.4028235e38f), 1.1754944e-38f);
+    const float t55 = (0.0f < cosine ? light.density_above : 0.0f) + spherecap_min(0.0f / t54, 3.4028235e38f);
+    const float t56 = fmaf(zenith, zenith, side * side);
+    const float t57 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t56), 0.0f);
+    const float t58 = sqrtf(t57);
+    const float t59 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t57));
+    const float t60 = light.radius_cos * light.radius_cos / (t59 + t58);
+    const float t61 = 1.0f / light.radius_sin;
+    const float t62 = t60 * t61;
+    const float t63 = -fmaf(t59, t58, t56) * t61;
+    const float t64 = t62 * zenith;
+    const float t65 = t62 * side;
+    const float t66 = fmaf(light.third_axis.x, t46, fmaf(light.sideways.x, side, light.normal.x * cosine));
+    const float t67 = fmaf(light.third_axis.y, t46, fmaf(light.sideways.y, side, light.normal.y * cosine));
+    const float t68 = fmaf(light.third_axis.z, t46, fmaf(light.sideways.z, side, light.normal.z * cosine));
+    const float t69 = fmaf(light.elevation_cos, t63, -(light.elevation_sin * t64));
+    const float t70 = fmaf(light.elevation_sin, t63, light.elevation_cos * t64);
+    const float t71 = fmaf(light.third_axis.x, t69, fmaf(light.sideways.x, t65, light.normal.x * t70));
+    const float t72 = fmaf(light.third_axis.y, t69, fmaf(light.sideways.y, t65, light.normal.y * t70));
+    const float t73 = fmaf(light.third_axis.z, t69, fmaf(light.sideways.z, t65, light.normal.z * t70));
     const spherecap_sample result = {
-        make_float3(t65, t66, t67), t59 * light.distance, make_float3(t70, t71, t72), cosine, t54,
-        0.0f < cosine ? light.inv_above : 0.0f
+        make_float3(t66, t67, t68), t60 * light.distance, make_float3(t71, t72, t73), cosine, t53,
+        spherecap_min(t55, 3.4028235e38f)
     };
     return result;
 }
@@ -410,10 +411,10 @@ static __device__ inline float spherecap_surface_pdf_direction(spherecap_surface
     const bool t7 = fmaf(light.towards_centre.x, direction.x, t1) < 0.0f;
     const float t8 = t7 ? 1.0f : fmaf(t2, direction.x, fmaf(t3, direction.y, t4 * direction.z));
     const float t9 = t7 ? 1.0f : t5;
-    const bool t10 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
-    const float t11 = t10 ? light.inv_above * spherecap_min(spherecap_max(t6, 0.0f), 3.4028235e38f) : 0.0f;
+    const float t10 = fmaf(light.density_above, spherecap_min(spherecap_max(t6, 0.0f), 3.4028235e38f), 0.0f);
+    const bool t11 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
     const float t12 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    return (0.998001f <= t12 && t12 <= 1.002001f) ? t11 : 0.0f;
+    return (0.998001f <= t12 && t12 <= 1.002001f) ? (t11 ? t10 : 0.0f) : 0.0f;
 }
 
 static __device__ inline float spherecap_surface_pdf_on_sphere(spherecap_surface_light light, float3 direction) {
@@ -421,9 +422,9 @@ static __device__ inline float spherecap_surface_pdf_on_sphere(spherecap_surface
         return 0.0f;
     }
     const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
-    const float t2 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t3 = (0.998001f <= t2 && t2 <= 1.002001f) ? light.inv_above * spherecap_min(spherecap_max(t1, 0.0f), 3.4028235e38f) : 0.0f;
-    return t3;
+    const float t2 = fmaf(light.density_above, spherecap_min(spherecap_max(t1, 0.0f), 3.4028235e38f), 0.0f);
+    const float t3 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
+    return (0.998001f <= t3 && t3 <= 1.002001f) ? t2 : 0.0f;
 }
 
 static __device__ inline float spherecap_surface_importance(float3 normal, float3 centre, float radius, float strength) {
@@ -473,13 +474,12 @@ struct spherecap_front_light {
     float width;
     float cut;
     float rise;
-    float share;
-    float rest;
+    float defensive;
     float requested;
-    float inv_above;
+    float density_above;
     float3 third_axis;
     float height;
-    float inv_solid_angle;
+    float density;
     float crescent_share;
     float inv_rest;
     float beyond;
@@ -660,63 +660,63 @@ static __device__ inline spherecap_front_light spherecap_front_prepare(float3 no
     const float distance = t71 * (t10 ? 1.0f : unscale);
     const float projected_above = (9.403955e-38f < t100 && t101 && t74) ? t100 : 0.0f;
     const bool t103 = 0.0f < projected_above;
-    const float inv_above = t103 ? 1.0f / projected_above : 0.0f;
-    const float t104 = t76 ? inv_above : 0.0f;
-    const bool t105 = t75 && t76 && 0.0f < t104;
-    const float t106 = t_y * t_y * t_y * shape * t104;
-    const float t107 = t_y / radius_sin;
-    const float t108 = t107 * t107 * t107 * (fmaf(cut - t_x, shape_difference, shape) * 0.53033006f);
+    const float t104 = t103 ? 1.0f / projected_above : 0.0f;
+    const float t105 = t76 ? t104 : 0.0f;
+    const bool t106 = t75 && t76 && 0.0f < t105;
+    const float t107 = t_y * t_y * t_y * shape * t105;
+    const float t108 = t_y / radius_sin;
+    const float t109 = t108 * t108 * t108 * (fmaf(cut - t_x, shape_difference, shape) * 0.53033006f);
     float b_0 = 0.0f, b_1 = 0.0f, b_2 = 0.0f, b_3 = 0.0f, b_4 = 0.0f, b_5 = 0.0f, b_6 = 0.0f;
     if (t75 && !t76) {
-        const float t109 = 1.0f + kappa;
-        const float t110 = t109 * shape;
-        const float t111 = 1.0f / (norm * t110);
-        const float t112 = sqrtf(t111);
-        b_0 = norm * t112;
-        const float t113 = 1.0f / (1.0f + cut);
-        const float t114 = (t_x + kappa) * t113 - 0.5f;
-        const float t115 = t114 * t114 * t114;
-        const float t116 = fmaf(fmaf(fmaf(-0.026061837f, t114, 0.05430631f), t114, -0.06372378f), t115, fmaf(fmaf(0.080950715f, t114, -0.11762552f), t114, 0.1684019f));
-        const float t117 = fmaf(t116, t115, fmaf(fmaf(-0.23594604f, t114, 0.32709444f), t114, -0.44721135f));
-        const float t118 = fmaf(t117, t115, fmaf(fmaf(0.5987523f, t114, -0.7754678f), t114, 0.94559944f));
-        const float t119 = t109 * t118 * (t113 * t113 * t113) * (t110 * t111);
-        const float t120 = fmaf(t119, t110 * t112, -1.0f);
-        const float t121 = 1.0f - t119;
-        const float t122 = fmaf(fmaf(30.011856f, t120, fmaf(-41.541264f, t121, -37.009792f)), t120, fmaf(77.96775f, t121, 7.470758f));
-        const float t123 = fmaf(t122, t120, fmaf(fmaf(-49.13454f, t121, -9.466533f), t121, -1.5877596f));
-        const float t124 = fmaf(fmaf(fmaf(15.716111f, t121, 0.0f), t121, 9.961183f), t121, -2.61785f);
-        const float t125 = t120 * fmaf(t123, t120, fmaf(t124, t121, 0.8681748f));
-        const float t126 = fmaf(fmaf(7.295638f, t120, -7.236236f), t120, fmaf(fmaf(fmaf(-11.4868555f, t121, 0.0f), t121, 0.0f), t121, 3.1255686f));
-        const float t127 = fmaf(fmaf(fmaf(13.728438f, t121, -7.981878f), t121, 2.025724f), t121, -0.7334958f);
-        const float t128 = t120 * fmaf(t126, t120, t127);
-        const float t129 = fmaf(fmaf(fmaf(9.986537f, t121, 25.22195f), t121, 0.0f), t121, -2.9581387f);
-        const float t130 = fmaf(fmaf(fmaf(-19.722994f, t121, 4.6594768f), t121, -0.89538246f), t121, 0.5143498f);
-        const float t131 = t120 * fmaf(fmaf(fmaf(-23.220068f, t121, 7.332055f), t120, t129), t120, t130);
-        const float t132 = fmaf(fmaf(fmaf(1.946617f, t120, -3.077631f), t120, 1.4945927f), t120, -0.24140751f);
-        const float t133 = t120 * t132;
-        const float t134 = t120 * fmaf(fmaf(0.38173297f, t120, -0.30305624f), t120, 0.05897375f);
-        b_1 = t119 - b_0 + t125;
-        b_2 = t128 - t125;
-        b_3 = t131 - t128;
-        b_4 = t133 - t131;
-        b_5 = t134 - t133;
-        b_6 = -t134;
+        const float t110 = 1.0f + kappa;
+        const float t111 = t110 * shape;
+        const float t112 = 1.0f / (norm * t111);
+        const float t113 = sqrtf(t112);
+        b_0 = norm * t113;
+        const float t114 = 1.0f / (1.0f + cut);
+        const float t115 = (t_x + kappa) * t114 - 0.5f;
+        const float t116 = t115 * t115 * t115;
+        const float t117 = fmaf(fmaf(fmaf(-0.026061837f, t115, 0.05430631f), t115, -0.06372378f), t116, fmaf(fmaf(0.080950715f, t115, -0.11762552f), t115, 0.1684019f));
+        const float t118 = fmaf(t117, t116, fmaf(fmaf(-0.23594604f, t115, 0.32709444f), t115, -0.44721135f));
+        const float t119 = fmaf(t118, t116, fmaf(fmaf(0.5987523f, t115, -0.7754678f), t115, 0.94559944f));
+        const float t120 = t110 * t119 * (t114 * t114 * t114) * (t111 * t112);
+        const float t121 = fmaf(t120, t111 * t113, -1.0f);
+        const float t122 = 1.0f - t120;
+        const float t123 = fmaf(fmaf(30.011856f, t121, fmaf(-41.541264f, t122, -37.009792f)), t121, fmaf(77.96775f, t122, 7.470758f));
+        const float t124 = fmaf(t123, t121, fmaf(fmaf(-49.13454f, t122, -9.466533f), t122, -1.5877596f));
+        const float t125 = fmaf(fmaf(fmaf(15.716111f, t122, 0.0f), t122, 9.961183f), t122, -2.61785f);
+        const float t126 = t121 * fmaf(t124, t121, fmaf(t125, t122, 0.8681748f));
+        const float t127 = fmaf(fmaf(7.295638f, t121, -7.236236f), t121, fmaf(fmaf(fmaf(-11.4868555f, t122, 0.0f), t122, 0.0f), t122, 3.1255686f));
+        const float t128 = fmaf(fmaf(fmaf(13.728438f, t122, -7.981878f), t122, 2.025724f), t122, -0.7334958f);
+        const float t129 = t121 * fmaf(t127, t121, t128);
+        const float t130 = fmaf(fmaf(fmaf(9.986537f, t122, 25.22195f), t122, 0.0f), t122, -2.9581387f);
+        const float t131 = fmaf(fmaf(fmaf(-19.722994f, t122, 4.6594768f), t122, -0.89538246f), t122, 0.5143498f);
+        const float t132 = t121 * fmaf(fmaf(fmaf(-23.220068f, t122, 7.332055f), t121, t130), t121, t131);
+        const float t133 = fmaf(fmaf(fmaf(1.946617f, t121, -3.077631f), t121, 1.4945927f), t121, -0.24140751f);
+        const float t134 = t121 * t133;
+        const float t135 = t121 * fmaf(fmaf(0.38173297f, t121, -0.30305624f), t121, 0.05897375f);
+        b_1 = t120 - b_0 + t126;
+        b_2 = t129 - t126;
+        b_3 = t132 - t129;
+        b_4 = t134 - t132;
+        b_5 = t135 - t134;
+        b_6 = -t135;
     }
-    const float share = ((0.0f < defensive || !(0.0f < on_surface)) && !t103) ? 1.0f : defensive;
-    const bool t135 = 0.0f < share;
-    const float t136 = (0.0f < radius_cos && t101) ? t99 / (1.0f + radius_cos) : 0.0f;
-    const float inv_solid_angle = t135 ? (0.0f < t136 ? 0.15915494f / t136 : 0.0f) : 0.0f;
-    const bool t137 = 0.0f < inv_solid_angle && t135;
-    const bool t138 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (0.0f < inv_above || t137);
+    const float t136 = ((0.0f < defensive || !(0.0f < on_surface)) && !t103) ? 1.0f : defensive;
+    const bool t137 = 0.0f < t136;
+    const float t138 = (0.0f < radius_cos && t101) ? t99 / (1.0f + radius_cos) : 0.0f;
+    const float density = t137 ? t136 * (0.0f < t138 ? 0.15915494f / t138 : 0.0f) : 0.0f;
+    const float density_above = t104 * (1.0f - t136);
+    const bool t139 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && 0.0f < density_above + 0.0f + density;
     const spherecap_front_light result = {
-        t138, t138 ? t136 * 6.2831855f : 0.0f, t138 ? projected_above : 0.0f,
+        t139, t139 ? t138 * 6.2831855f : 0.0f, t139 ? projected_above : 0.0f,
         make_float3(t13 * t72, t14 * t72, t15 * t72), make_float3(sideways_x, sideways_y, sideways_z),
         make_float3(normal_x, normal_y, normal_z), make_float3(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share,
-        1.0f - share, defensive, inv_above,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t136, defensive,
+        density_above,
         make_float3(fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))),
-        t135 ? t136 : 0.0f, inv_solid_angle, t105 ? t106 : 0.0f, t105 ? 1.0f / (1.0f - t106) : 1.0f,
-        t105 ? t108 : 0.0f, elevation_cos * radius_cos, radius_sin * t98, climb, b_0, b_1, b_2, b_3, b_4,
+        t137 ? t138 : 0.0f, density, t106 ? t107 : 0.0f, t106 ? 1.0f / (1.0f - t107) : 1.0f,
+        t106 ? t109 : 0.0f, elevation_cos * radius_cos, radius_sin * t98, climb, b_0, b_1, b_2, b_3, b_4,
         b_5, b_6
     };
     return result;
@@ -727,121 +727,116 @@ static __device__ inline spherecap_sample spherecap_front_sample(spherecap_front
         return spherecap_no_sample();
     }
     const float t1 = fabsf(light.elevation_sin);
-    const bool t2 = 0.0f < light.share;
-    const float t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8f), 0.99999994f);
-    const float t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t5 = t3 < light.share && t2;
-    const float t6 = spherecap_max((t5 ? t3 : t3 - light.share) / (t5 ? light.share : light.rest), 5.9604645e-8f);
-    const float t7 = (0.0f < light.requested && t2) ? spherecap_min(t6, 0.99999994f) : t3;
-    const bool t8 = !(0.0f < light.tau) || t5;
-    const bool t9 = !(0.0f < light.elevation_sin) && !t8;
-    const bool t10 = light.crescent_share <= t7 && !t9;
-    const bool t11 = t8 || t10;
-    const float t12 = 1.0f - t4;
-    const float t13 = t4 - t12;
-    const float t14 = 4.0f * t4 * t12;
-    const float t15 = spherecap_max((t7 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-    const float t16 = t8 ? t7 : spherecap_min(t15, 0.99999994f);
-    const float t17 = t8 ? 0.0f : light.beyond;
-    const float t18 = 1.6660811f - t17;
-    const float t19 = fmaf(t16, t18, t17);
-    const float t20 = (1.0f - t16) * t18;
-    float t22, t23, t24;
-    float t21 = 0.0f;
-    if (t11) {
-        t22 = spherecap_min(t19, t20);
+    const float t2 = spherecap_min(spherecap_max(u0, 5.9604645e-8f), 0.99999994f);
+    const float t3 = spherecap_min(spherecap_max(u1, 5.9604645e-8f), 0.99999994f);
+    const bool t4 = t2 < light.defensive;
+    const float t5 = (t4 ? t2 : t2 - light.defensive) / (t4 ? light.defensive : 1.0f - light.defensive);
+    const float t6 = 0.0f < light.requested ? spherecap_min(spherecap_max(t5, 5.9604645e-8f), 0.99999994f) : t2;
+    const bool t7 = !(0.0f < light.tau) || t4;
+    const bool t8 = !(0.0f < light.elevation_sin) && !t7;
+    const bool t9 = light.crescent_share <= t6 && !t8;
+    const bool t10 = t7 || t9;
+    const float t11 = 1.0f - t3;
+    const float t12 = t3 - t11;
+    const float t13 = 4.0f * t3 * t11;
+    const float t14 = spherecap_max((t6 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t15 = t7 ? t6 : spherecap_min(t14, 0.99999994f);
+    const float t16 = t7 ? 0.0f : light.beyond;
+    const float t17 = 1.6660811f - t16;
+    const float t18 = fmaf(t15, t17, t16);
+    const float t19 = (1.0f - t15) * t17;
+    float t21, t22, t23;
+    float t20 = 0.0f;
+    if (t10) {
+        t21 = spherecap_min(t18, t19);
+        t22 = 1.0f;
         t23 = 1.0f;
-        t24 = 1.0f;
     } else {
-        const float t25 = sqrtf(t14);
-        const float t26 = fmaf(fmaf(fmaf(light.b_6, t14, light.b_4), t14, light.b_2), t14, light.b_0);
-        const float t27 = t25 * fmaf(fmaf(fmaf(light.b_5, t14, light.b_3), t14, light.b_1), t25, t26);
-        const float t28 = sqrtf(fmaf(t13, t13, t27 * t27));
-        const float t29 = light.tau * t27;
-        t24 = t9 ? fmaf(t13, t13, t29 * t29) : 1.0f;
-        const float t30 = t9 ? fmaf(light.kappa, t27, t28) * fmaf(light.cut, t27, t28) : light.crescent_share;
-        const float t31 = (t9 ? light.width : t7) / t30;
-        const float t32 = t9 ? t31 : light.width;
-        const float t33 = t24 * t32;
-        const float t34 = fmaf(fmaf(fmaf(-0.00060778117f, t33, 1.0676054e-5f), t33, -0.0027203285f), t33 * t33 * t33, fmaf(fmaf(-0.011332183f, t33, -0.10000902f), t33, 1.0000001f));
-        t21 = t9 ? t29 : t25;
-        t22 = t9 ? t7 : spherecap_min(spherecap_max(t31, 5.9604645e-8f), 0.99999994f);
-        t23 = t32 * t34;
+        const float t24 = sqrtf(t13);
+        const float t25 = fmaf(fmaf(fmaf(light.b_6, t13, light.b_4), t13, light.b_2), t13, light.b_0);
+        const float t26 = t24 * fmaf(fmaf(fmaf(light.b_5, t13, light.b_3), t13, light.b_1), t24, t25);
+        const float t27 = sqrtf(fmaf(t12, t12, t26 * t26));
+        const float t28 = light.tau * t26;
+        t23 = t8 ? fmaf(t12, t12, t28 * t28) : 1.0f;
+        const float t29 = t8 ? fmaf(light.kappa, t26, t27) * fmaf(light.cut, t26, t27) : light.crescent_share;
+        const float t30 = (t8 ? light.width : t6) / t29;
+        const float t31 = t8 ? t30 : light.width;
+        const float t32 = t23 * t31;
+        const float t33 = fmaf(fmaf(fmaf(-0.00060778117f, t32, 1.0676054e-5f), t32, -0.0027203285f), t32 * t32 * t32, fmaf(fmaf(-0.011332183f, t32, -0.10000902f), t32, 1.0000001f));
+        t20 = t8 ? t28 : t24;
+        t21 = t8 ? t6 : spherecap_min(spherecap_max(t30, 5.9604645e-8f), 0.99999994f);
+        t22 = t31 * t33;
     }
-    const float t35 = spherecap_float_of_bits(fmaf(spherecap_bits(t22), -0.33333334f, 1419900500.0f));
-    const float t36 = t22 * t35;
-    const float t37 = fmaf(-t36, t35 * t35, 1.0f);
-    const float t38 = t37 * t37;
-    const float t39 = fmaf(fmaf(0.12666093f, t38, fmaf(0.14565912f, t37, 0.17283025f)), t38, fmaf(0.22221696f, t37, 0.33333334f));
-    const float t40 = t23 * fmaf(t36 * t37, t39, t36);
-    const float t41 = t40 * t24;
-    const float t42 = t41 * t41 * t41;
-    const float t43 = fmaf(fmaf(fmaf(0.022114987f, t41, -0.063446075f), t41, 0.085662976f), t42, fmaf(fmaf(-0.056249518f, t41, 0.030445365f), t41, 0.0074712755f));
-    const float t44 = fmaf(t43, t42, fmaf(fmaf(0.03209764f, t41, 0.09996679f), t41, 1.0000004f));
-    const float t45 = t40 * t44;
-    const float t46 = t11 ? spherecap_min(t45, 1.0f) : t45;
-    const float t47 = t24 * t46;
-    const float t48 = 2.0f - t47;
-    const float t49 = t46 * t48;
-    const float t50 = sqrtf(t49);
-    float zenith, side, cosine, t51, t52;
-    if (t11) {
-        const float t53 = t19 - t20 < 0.0f ? t47 : t48;
-        if (t5) {
-            const float t54 = light.height * (1.0f - t49 * t14);
-            const float t55 = sqrtf(light.height * (2.0f - t54));
-            zenith = (t53 - 1.0f) * t55;
-            const float t56 = 1.0f - t54;
-            t52 = fmaf(light.elevation_sin, t56, light.elevation_cos * zenith);
-            t51 = fmaf(light.elevation_cos, t56, -(light.elevation_sin * zenith));
-            side = t50 * t13 * t55;
-            cosine = t52 * light.on_surface;
+    const float t34 = spherecap_float_of_bits(fmaf(spherecap_bits(t21), -0.33333334f, 1419900500.0f));
+    const float t35 = t21 * t34;
+    const float t36 = fmaf(-t35, t34 * t34, 1.0f);
+    const float t37 = t36 * t36;
+    const float t38 = fmaf(fmaf(0.12666093f, t37, fmaf(0.14565912f, t36, 0.17283025f)), t37, fmaf(0.22221696f, t36, 0.33333334f));
+    const float t39 = t22 * fmaf(t35 * t36, t38, t35);
+    const float t40 = t39 * t23;
+    const float t41 = t40 * t40 * t40;
+    const float t42 = fmaf(fmaf(fmaf(0.022114987f, t40, -0.063446075f), t40, 0.085662976f), t41, fmaf(fmaf(-0.056249518f, t40, 0.030445365f), t40, 0.0074712755f));
+    const float t43 = fmaf(t42, t41, fmaf(fmaf(0.03209764f, t40, 0.09996679f), t40, 1.0000004f));
+    const float t44 = t39 * t43;
+    const float t45 = t23 * t44;
+    const float t46 = 2.0f - t45;
+    const float t47 = t44 * t46;
+    const float t48 = sqrtf(t47);
+    float zenith, side, cosine, t49, t50;
+    if (t10) {
+        const float t51 = t18 - t19 < 0.0f ? t45 : t46;
+        if (t4) {
+            const float t52 = light.height * (1.0f - t47 * t13);
+            const float t53 = sqrtf(light.height * (2.0f - t52));
+            zenith = (t51 - 1.0f) * t53;
+            const float t54 = 1.0f - t52;
+            t50 = fmaf(light.elevation_sin, t54, light.elevation_cos * zenith);
+            t49 = fmaf(light.elevation_cos, t54, -(light.elevation_sin * zenith));
+            side = t48 * t12 * t53;
+            cosine = t50 * light.on_surface;
         } else {
-            const float t57 = 1.0f - t53;
-            const float t58 = light.radius_sin * light.radius_sin * t14;
-            const float t59 = spherecap_max(fmaf(light.climb, t53, -light.rise), 0.0f);
-            t52 = sqrtf(fmaf(t49, t58, t59 * t59));
-            const float t60 = t1 * light.radius_cos;
-            const float t61 = light.climb * t57;
-            zenith = fmaf(light.elevation_cos, fmaf(t61, t61 - 2.0f * t60, t49 * t58) / (t52 + t60), -(light.half_axis * t1 * t57));
-            t51 = fmaf(light.half_axis, t57, light.middle);
-            side = light.radius_sin * t50 * t13;
-            cosine = t52;
+            const float t55 = 1.0f - t51;
+            const float t56 = light.radius_sin * light.radius_sin * t13;
+            const float t57 = spherecap_max(fmaf(light.climb, t51, -light.rise), 0.0f);
+            t50 = sqrtf(fmaf(t47, t56, t57 * t57));
+            const float t58 = t1 * light.radius_cos;
+            const float t59 = light.climb * t55;
+            zenith = fmaf(light.elevation_cos, fmaf(t59, t59 - 2.0f * t58, t47 * t56) / (t50 + t58), -(light.half_axis * t1 * t55));
+            t49 = fmaf(light.half_axis, t55, light.middle);
+            side = light.radius_sin * t48 * t12;
+            cosine = t50;
         }
     } else {
-        cosine = t50 * t21;
-        t51 = 1.0f - t47;
-        zenith = fmaf(light.elevation_cos, cosine, -((t9 ? -t1 : t1) * t51));
-        side = t50 * t13;
-        t52 = cosine;
+        cosine = t48 * t20;
+        t49 = 1.0f - t45;
+        zenith = fmaf(light.elevation_cos, cosine, -((t8 ? -t1 : t1) * t49));
+        side = t48 * t12;
+        t50 = cosine;
     }
-    const float t62 = light.share * light.inv_solid_angle;
-    const float t63 = 0.0f < cosine ? light.inv_above : 0.0f;
-    const float t64 = spherecap_min(spherecap_max(cosine, 0.0f), 3.4028235e38f);
-    const float t65 = t2 ? fmaf(light.inv_above, light.rest * t64, t62) : light.inv_above * t64;
-    const float t66 = spherecap_max(spherecap_min(fabsf(cosine), 3.4028235e38f), 1.1754944e-38f);
-    const float t67 = spherecap_min(fmaf(t63, light.rest, spherecap_min(t62 / t66, 3.4028235e38f)), 3.4028235e38f);
-    const float t68 = fmaf(zenith, zenith, side * side);
-    const float t69 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t68), 0.0f);
-    const float t70 = sqrtf(t69);
-    const float t71 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t69));
-    const float t72 = light.radius_cos * light.radius_cos / (t71 + t70);
-    const float t73 = 1.0f / light.radius_sin;
-    const float t74 = t72 * t73;
-    const float t75 = -fmaf(t71, t70, t68) * t73;
-    const float t76 = t74 * zenith;
-    const float t77 = t74 * side;
-    const float t78 = fmaf(light.third_axis.x, t51, fmaf(light.sideways.x, side, light.up.x * t52));
-    const float t79 = fmaf(light.third_axis.y, t51, fmaf(light.sideways.y, side, light.up.y * t52));
-    const float t80 = fmaf(light.third_axis.z, t51, fmaf(light.sideways.z, side, light.up.z * t52));
-    const float t81 = fmaf(light.elevation_cos, t75, -(light.elevation_sin * t76));
-    const float t82 = fmaf(light.elevation_sin, t75, light.elevation_cos * t76);
-    const float t83 = fmaf(light.third_axis.x, t81, fmaf(light.sideways.x, t77, light.up.x * t82));
-    const float t84 = fmaf(light.third_axis.y, t81, fmaf(light.sideways.y, t77, light.up.y * t82));
-    const float t85 = fmaf(light.third_axis.z, t81, fmaf(light.sideways.z, t77, light.up.z * t82));
+    const float t60 = fmaf(light.density_above, spherecap_min(spherecap_max(cosine, 0.0f), 3.4028235e38f), light.density);
+    const float t61 = spherecap_max(spherecap_min(fabsf(cosine), 3.4028235e38f), 1.1754944e-38f);
+    const float t62 = (0.0f < cosine ? light.density_above : 0.0f) + spherecap_min(light.density / t61, 3.4028235e38f);
+    const float t63 = fmaf(zenith, zenith, side * side);
+    const float t64 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t63), 0.0f);
+    const float t65 = sqrtf(t64);
+    const float t66 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t64));
+    const float t67 = light.radius_cos * light.radius_cos / (t66 + t65);
+    const float t68 = 1.0f / light.radius_sin;
+    const float t69 = t67 * t68;
+    const float t70 = -fmaf(t66, t65, t63) * t68;
+    const float t71 = t69 * zenith;
+    const float t72 = t69 * side;
+    const float t73 = fmaf(light.third_axis.x, t49, fmaf(light.sideways.x, side, light.up.x * t50));
+    const float t74 = fmaf(light.third_axis.y, t49, fmaf(light.sideways.y, side, light.up.y * t50));
+    const float t75 = fmaf(light.third_axis.z, t49, fmaf(light.sideways.z, side, light.up.z * t50));
+    const float t76 = fmaf(light.elevation_cos, t70, -(light.elevation_sin * t71));
+    const float t77 = fmaf(light.elevation_sin, t70, light.elevation_cos * t71);
+    const float t78 = fmaf(light.third_axis.x, t76, fmaf(light.sideways.x, t72, light.up.x * t77));
+    const float t79 = fmaf(light.third_axis.y, t76, fmaf(light.sideways.y, t72, light.up.y * t77));
+    const float t80 = fmaf(light.third_axis.z, t76, fmaf(light.sideways.z, t72, light.up.z * t77));
     const spherecap_sample result = {
-        make_float3(t78, t79, t80), t72 * light.distance, make_float3(t83, t84, t85), cosine, t65,
-        t2 ? t67 : t63
+        make_float3(t73, t74, t75), t67 * light.distance, make_float3(t78, t79, t80), cosine, t60,
+        spherecap_min(t62, 3.4028235e38f)
     };
     return result;
 }
@@ -864,12 +859,10 @@ static __device__ inline float spherecap_front_pdf_direction(spherecap_front_lig
     const bool t7 = fmaf(light.towards_centre.x, direction.x, t1) < 0.0f;
     const float t8 = t7 ? 1.0f : fmaf(t2, direction.x, fmaf(t3, direction.y, t4 * direction.z));
     const float t9 = t7 ? 1.0f : t5;
-    const float t10 = spherecap_min(spherecap_max(t6, 0.0f), 3.4028235e38f);
-    const float t11 = fmaf(light.inv_above, light.rest * t10, light.share * light.inv_solid_angle);
-    const bool t12 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
-    const float t13 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t14 = (0.998001f <= t13 && t13 <= 1.002001f) ? (t12 ? (0.0f < light.share ? t11 : light.inv_above * t10) : 0.0f) : 0.0f;
-    return t14;
+    const float t10 = fmaf(light.density_above, spherecap_min(spherecap_max(t6, 0.0f), 3.4028235e38f), light.density);
+    const bool t11 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
+    const float t12 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
+    return (0.998001f <= t12 && t12 <= 1.002001f) ? (t11 ? t10 : 0.0f) : 0.0f;
 }
 
 static __device__ inline float spherecap_front_pdf_on_sphere(spherecap_front_light light, float3 direction) {
@@ -877,11 +870,9 @@ static __device__ inline float spherecap_front_pdf_on_sphere(spherecap_front_lig
         return 0.0f;
     }
     const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
-    const float t2 = spherecap_min(spherecap_max(t1, 0.0f), 3.4028235e38f);
-    const float t3 = fmaf(light.inv_above, light.rest * t2, light.share * light.inv_solid_angle);
-    const float t4 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t5 = (0.998001f <= t4 && t4 <= 1.002001f) ? (0.0f < light.share ? t3 : light.inv_above * t2) : 0.0f;
-    return t5;
+    const float t2 = fmaf(light.density_above, spherecap_min(spherecap_max(t1, 0.0f), 3.4028235e38f), light.density);
+    const float t3 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
+    return (0.998001f <= t3 && t3 <= 1.002001f) ? t2 : 0.0f;
 }
 
 static __device__ inline float spherecap_front_importance(float3 normal, float3 centre, float radius, float defensive, float strength) {
@@ -947,16 +938,14 @@ struct spherecap_both_light {
     float width;
     float cut;
     float rise;
-    float defensive_share;
-    float defensive_rest;
+    float defensive;
     float requested;
-    float inv_above;
-    float inv_below;
-    float sides_share;
-    float sides_rest;
+    float above;
+    float density_above;
+    float density_below;
     float3 third_axis;
     float height;
-    float inv_solid_angle;
+    float density;
     float crescent_share;
     float inv_rest;
     float beyond;
@@ -1142,90 +1131,93 @@ static __device__ inline spherecap_both_light spherecap_both_prepare(float3 norm
     const float projected_below = (9.403955e-38f < t102 && t104) ? t102 : 0.0f;
     const bool t106 = 0.0f < projected_above;
     const bool t107 = 0.0f < projected_below;
-    const float inv_above = t106 ? 1.0f / projected_above : 0.0f;
-    const float inv_below = t107 ? 1.0f / projected_below : 0.0f;
-    const float t108 = t76 ? inv_above : inv_below;
-    const bool t109 = 0.0f < t108 && t75;
-    const float t110 = t_y * t_y * t_y * shape * t108;
-    const float t111 = t_y / radius_sin;
-    const float t112 = fmaf(cut - t_x, shape_difference, shape);
+    const float t108 = t106 ? 1.0f / projected_above : 0.0f;
+    const float t109 = t107 ? 1.0f / projected_below : 0.0f;
+    const float t110 = t76 ? t108 : t109;
+    const bool t111 = 0.0f < t110 && t75;
+    const float t112 = t_y * t_y * t_y * shape * t110;
+    const float t113 = t_y / radius_sin;
+    const float t114 = fmaf(cut - t_x, shape_difference, shape);
     float b_0 = 0.0f, b_1 = 0.0f, b_2 = 0.0f, b_3 = 0.0f, b_4 = 0.0f, b_5 = 0.0f, b_6 = 0.0f;
     if (t75) {
-        const float t113 = 1.0f + kappa;
-        const float t114 = t113 * shape;
-        const float t115 = 1.0f / (norm * t114);
-        const float t116 = sqrtf(t115);
-        b_0 = norm * t116;
-        const float t117 = 1.0f / (1.0f + cut);
-        const float t118 = (t_x + kappa) * t117 - 0.5f;
-        const float t119 = t118 * t118 * t118;
-        const float t120 = fmaf(fmaf(fmaf(-0.026061837f, t118, 0.05430631f), t118, -0.06372378f), t119, fmaf(fmaf(0.080950715f, t118, -0.11762552f), t118, 0.1684019f));
-        const float t121 = fmaf(t120, t119, fmaf(fmaf(-0.23594604f, t118, 0.32709444f), t118, -0.44721135f));
-        const float t122 = fmaf(t121, t119, fmaf(fmaf(0.5987523f, t118, -0.7754678f), t118, 0.94559944f));
-        const float t123 = t113 * t122 * (t117 * t117 * t117) * (t114 * t115);
-        const float t124 = fmaf(t123, t114 * t116, -1.0f);
-        const float t125 = 1.0f - t123;
-        const float t126 = fmaf(fmaf(30.011856f, t124, fmaf(-41.541264f, t125, -37.009792f)), t124, fmaf(77.96775f, t125, 7.470758f));
-        const float t127 = fmaf(t126, t124, fmaf(fmaf(-49.13454f, t125, -9.466533f), t125, -1.5877596f));
-        const float t128 = fmaf(fmaf(fmaf(15.716111f, t125, 0.0f), t125, 9.961183f), t125, -2.61785f);
-        const float t129 = t124 * fmaf(t127, t124, fmaf(t128, t125, 0.8681748f));
-        const float t130 = fmaf(fmaf(7.295638f, t124, -7.236236f), t124, fmaf(fmaf(fmaf(-11.4868555f, t125, 0.0f), t125, 0.0f), t125, 3.1255686f));
-        const float t131 = fmaf(fmaf(fmaf(13.728438f, t125, -7.981878f), t125, 2.025724f), t125, -0.7334958f);
-        const float t132 = t124 * fmaf(t130, t124, t131);
-        const float t133 = fmaf(fmaf(fmaf(9.986537f, t125, 25.22195f), t125, 0.0f), t125, -2.9581387f);
-        const float t134 = fmaf(fmaf(fmaf(-19.722994f, t125, 4.6594768f), t125, -0.89538246f), t125, 0.5143498f);
-        const float t135 = t124 * fmaf(fmaf(fmaf(-23.220068f, t125, 7.332055f), t124, t133), t124, t134);
-        const float t136 = fmaf(fmaf(fmaf(1.946617f, t124, -3.077631f), t124, 1.4945927f), t124, -0.24140751f);
-        const float t137 = t124 * t136;
-        const float t138 = t124 * fmaf(fmaf(0.38173297f, t124, -0.30305624f), t124, 0.05897375f);
-        b_1 = t123 - b_0 + t129;
-        b_2 = t132 - t129;
-        b_3 = t135 - t132;
-        b_4 = t137 - t135;
-        b_5 = t138 - t137;
-        b_6 = -t138;
+        const float t115 = 1.0f + kappa;
+        const float t116 = t115 * shape;
+        const float t117 = 1.0f / (norm * t116);
+        const float t118 = sqrtf(t117);
+        b_0 = norm * t118;
+        const float t119 = 1.0f / (1.0f + cut);
+        const float t120 = (t_x + kappa) * t119 - 0.5f;
+        const float t121 = t120 * t120 * t120;
+        const float t122 = fmaf(fmaf(fmaf(-0.026061837f, t120, 0.05430631f), t120, -0.06372378f), t121, fmaf(fmaf(0.080950715f, t120, -0.11762552f), t120, 0.1684019f));
+        const float t123 = fmaf(t122, t121, fmaf(fmaf(-0.23594604f, t120, 0.32709444f), t120, -0.44721135f));
+        const float t124 = fmaf(t123, t121, fmaf(fmaf(0.5987523f, t120, -0.7754678f), t120, 0.94559944f));
+        const float t125 = t115 * t124 * (t119 * t119 * t119) * (t116 * t117);
+        const float t126 = fmaf(t125, t116 * t118, -1.0f);
+        const float t127 = 1.0f - t125;
+        const float t128 = fmaf(fmaf(30.011856f, t126, fmaf(-41.541264f, t127, -37.009792f)), t126, fmaf(77.96775f, t127, 7.470758f));
+        const float t129 = fmaf(t128, t126, fmaf(fmaf(-49.13454f, t127, -9.466533f), t127, -1.5877596f));
+        const float t130 = fmaf(fmaf(fmaf(15.716111f, t127, 0.0f), t127, 9.961183f), t127, -2.61785f);
+        const float t131 = t126 * fmaf(t129, t126, fmaf(t130, t127, 0.8681748f));
+        const float t132 = fmaf(fmaf(7.295638f, t126, -7.236236f), t126, fmaf(fmaf(fmaf(-11.4868555f, t127, 0.0f), t127, 0.0f), t127, 3.1255686f));
+        const float t133 = fmaf(fmaf(fmaf(13.728438f, t127, -7.981878f), t127, 2.025724f), t127, -0.7334958f);
+        const float t134 = t126 * fmaf(t132, t126, t133);
+        const float t135 = fmaf(fmaf(fmaf(9.986537f, t127, 25.22195f), t127, 0.0f), t127, -2.9581387f);
+        const float t136 = fmaf(fmaf(fmaf(-19.722994f, t127, 4.6594768f), t127, -0.89538246f), t127, 0.5143498f);
+        const float t137 = t126 * fmaf(fmaf(fmaf(-23.220068f, t127, 7.332055f), t126, t135), t126, t136);
+        const float t138 = fmaf(fmaf(fmaf(1.946617f, t126, -3.077631f), t126, 1.4945927f), t126, -0.24140751f);
+        const float t139 = t126 * t138;
+        const float t140 = t126 * fmaf(fmaf(0.38173297f, t126, -0.30305624f), t126, 0.05897375f);
+        b_1 = t125 - b_0 + t131;
+        b_2 = t134 - t131;
+        b_3 = t137 - t134;
+        b_4 = t139 - t137;
+        b_5 = t140 - t139;
+        b_6 = -t140;
     }
-    const float defensive_share = (!(t106 || t107) && (0.0f < defensive || !(0.0f < on_surface))) ? 1.0f : defensive;
-    const bool t139 = 0.0f < defensive_share;
-    const float t140 = (0.0f < radius_cos && t103) ? t99 / (1.0f + radius_cos) : 0.0f;
-    const float inv_solid_angle = t139 ? (0.0f < t140 ? 0.15915494f / t140 : 0.0f) : 0.0f;
-    float t141 = 0.0f;
+    const float t141 = (!(t106 || t107) && (0.0f < defensive || !(0.0f < on_surface))) ? 1.0f : defensive;
+    const bool t142 = 0.0f < t141;
+    const float t143 = (0.0f < radius_cos && t103) ? t99 / (1.0f + radius_cos) : 0.0f;
+    const float density = t142 ? t141 * (0.0f < t143 ? 0.15915494f / t143 : 0.0f) : 0.0f;
+    const float t144 = 1.0f - t141;
+    float t145 = 0.0f;
     if (0.0f < tau) {
-        const float t142 = 1.0f / (elevation_cos * elevation_cos);
-        const float t143 = tau * tau;
-        const float t144 = t143 * t142 / (1.0f + t_x);
-        const float t145 = kappa - 0.5f;
-        const float t146 = cut - 0.5f;
-        const float t147 = t145 * t145;
-        const float t148 = t146 * t146;
-        const float t149 = fmaf(0.05430631f, t147, 0.080950715f);
-        const float t150 = fmaf(t149, t147, 0.1684019f);
-        const float t151 = fmaf(t150, t147, 0.32709444f);
-        const float t152 = fmaf(fmaf(fmaf(fmaf(0.05430631f, t148, t149), t148, t150), t148, t151), t148, fmaf(t151, t147, 0.5987523f));
-        const float t153 = fmaf(-0.026061837f, t147, -0.06372378f);
-        const float t154 = fmaf(t153, t147, -0.11762552f);
-        const float t155 = fmaf(t154, t147, -0.23594604f);
-        const float t156 = fmaf(t155, t147, -0.44721135f);
-        const float t157 = fmaf(fmaf(fmaf(fmaf(-0.026061837f, t148, t153), t148, t154), t148, t155), t148, t156);
-        const float t158 = fmaf(kappa * t144, fmaf(fmaf(t146, t157, t152), t145 + t146, fmaf(t156, t147, -0.7754678f)), fmaf(t112, t144 - kappa * kappa, kappa) * t142);
-        const float t159 = spherecap_max(t143 * tau * (radius_cos + 1.0f) * t158 * 0.31830987f, 0.0f);
-        t141 = spherecap_min(t159, 0.5f);
+        const float t146 = 1.0f / (elevation_cos * elevation_cos);
+        const float t147 = tau * tau;
+        const float t148 = t147 * t146 / (1.0f + t_x);
+        const float t149 = kappa - 0.5f;
+        const float t150 = cut - 0.5f;
+        const float t151 = t149 * t149;
+        const float t152 = t150 * t150;
+        const float t153 = fmaf(0.05430631f, t151, 0.080950715f);
+        const float t154 = fmaf(t153, t151, 0.1684019f);
+        const float t155 = fmaf(t154, t151, 0.32709444f);
+        const float t156 = fmaf(fmaf(fmaf(fmaf(0.05430631f, t152, t153), t152, t154), t152, t155), t152, fmaf(t155, t151, 0.5987523f));
+        const float t157 = fmaf(-0.026061837f, t151, -0.06372378f);
+        const float t158 = fmaf(t157, t151, -0.11762552f);
+        const float t159 = fmaf(t158, t151, -0.23594604f);
+        const float t160 = fmaf(t159, t151, -0.44721135f);
+        const float t161 = fmaf(fmaf(fmaf(fmaf(-0.026061837f, t152, t157), t152, t158), t152, t159), t152, t160);
+        const float t162 = fmaf(kappa * t148, fmaf(fmaf(t150, t161, t156), t149 + t150, fmaf(t160, t151, -0.7754678f)), fmaf(t114, t148 - kappa * kappa, kappa) * t146);
+        const float t163 = spherecap_max(t147 * tau * (radius_cos + 1.0f) * t162 * 0.31830987f, 0.0f);
+        t145 = spherecap_min(t163, 0.5f);
     }
-    const float t160 = 1.0f - t141;
-    const bool t161 = 0.0f < inv_below;
-    const bool t162 = 0.0f < inv_above;
-    const bool t163 = 0.0f < inv_solid_angle && t139;
-    const bool t164 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (0.0f < inv_above + inv_below || t163);
+    const float t164 = 1.0f - t145;
+    const bool t165 = 0.0f < t109;
+    const bool t166 = 0.0f < t108;
+    const float above = t165 ? (t166 ? (t76 ? t164 : t145) : 0.0f) : 1.0f;
+    const float density_above = t108 * above * t144;
+    const float density_below = t109 * (t166 ? (t165 ? (t76 ? t145 : t164) : 0.0f) : 1.0f) * t144;
+    const bool t167 = distance <= 3.4028235e38f && 0.0f < density_above + density_below + density;
+    const bool t168 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && t167;
     const spherecap_both_light result = {
-        t164, t164 ? t140 * 6.2831855f : 0.0f, t164 ? projected_above : 0.0f,
+        t168, t168 ? t143 * 6.2831855f : 0.0f, t168 ? projected_above : 0.0f,
         make_float3(t13 * t72, t14 * t72, t15 * t72), make_float3(sideways_x, sideways_y, sideways_z),
         make_float3(normal_x, normal_y, normal_z), make_float3(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
-        1.0f - defensive_share, defensive, inv_above, inv_below,
-        t161 ? (t162 ? (t76 ? t160 : t141) : 0.0f) : 1.0f, t162 ? (t161 ? (t76 ? t141 : t160) : 0.0f) : 1.0f,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t141, defensive,
+        above, density_above, density_below,
         make_float3(fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))),
-        t139 ? t140 : 0.0f, inv_solid_angle, t109 ? t110 : 0.0f, t109 ? 1.0f / (1.0f - t110) : 1.0f,
-        t109 ? t111 * t111 * t111 * (t112 * 0.53033006f) : 0.0f, elevation_cos * radius_cos,
+        t142 ? t143 : 0.0f, density, t111 ? t112 : 0.0f, t111 ? 1.0f / (1.0f - t112) : 1.0f,
+        t111 ? t113 * t113 * t113 * (t114 * 0.53033006f) : 0.0f, elevation_cos * radius_cos,
         radius_sin * t98, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     };
     return result;
@@ -1237,129 +1229,125 @@ static __device__ inline spherecap_sample spherecap_both_sample(spherecap_both_l
     }
     const bool t1 = 0.0f < light.elevation_sin;
     const float t2 = fabsf(light.elevation_sin);
-    const bool t3 = 0.0f < light.defensive_share;
-    const float t4 = spherecap_min(spherecap_max(u0, 5.9604645e-8f), 0.99999994f);
-    const float t5 = spherecap_min(spherecap_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t6 = t4 < light.defensive_share && t3;
-    const float t7 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : light.defensive_rest);
-    const float t8 = (0.0f < light.requested && t3) ? spherecap_min(spherecap_max(t7, 5.9604645e-8f), 0.99999994f) : t4;
-    const bool t9 = t8 < light.sides_share || t6;
-    const float t10 = (t9 ? t8 : t8 - light.sides_share) / (t9 ? light.sides_share : light.sides_rest);
-    const bool t11 = t9 && t1;
-    const bool t12 = !t9 && !t1;
-    const float t13 = t6 ? t8 : spherecap_min(spherecap_max(t10, 5.9604645e-8f), 0.99999994f);
-    const bool t14 = !(0.0f < light.tau) || t6;
-    const bool t15 = !(t11 || t12) && !t14;
-    const bool t16 = light.crescent_share <= t13 && !t15;
-    const bool t17 = t14 || t16;
-    const float t18 = 1.0f - t5;
-    const float t19 = t5 - t18;
-    const float t20 = 4.0f * t5 * t18;
-    const float t21 = spherecap_max((t13 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
-    const float t22 = t14 ? t13 : spherecap_min(t21, 0.99999994f);
-    const float t23 = t14 ? 0.0f : light.beyond;
-    const float t24 = 1.6660811f - t23;
-    const float t25 = fmaf(t22, t24, t23);
-    const float t26 = (1.0f - t22) * t24;
-    float t28, t29, t30;
-    float t27 = 0.0f;
-    if (t17) {
-        t28 = spherecap_min(t25, t26);
+    const float t3 = spherecap_min(spherecap_max(u0, 5.9604645e-8f), 0.99999994f);
+    const float t4 = spherecap_min(spherecap_max(u1, 5.9604645e-8f), 0.99999994f);
+    const bool t5 = t3 < light.defensive;
+    const float t6 = (t5 ? t3 : t3 - light.defensive) / (t5 ? light.defensive : 1.0f - light.defensive);
+    const float t7 = 0.0f < light.requested ? spherecap_min(spherecap_max(t6, 5.9604645e-8f), 0.99999994f) : t3;
+    const bool t8 = t7 < light.above || t5;
+    const float t9 = spherecap_max((t8 ? t7 : t7 - light.above) / (t8 ? light.above : 1.0f - light.above), 5.9604645e-8f);
+    const bool t10 = t8 && t1;
+    const bool t11 = !t8 && !t1;
+    const float t12 = t5 ? t7 : spherecap_min(t9, 0.99999994f);
+    const bool t13 = !(0.0f < light.tau) || t5;
+    const bool t14 = !(t10 || t11) && !t13;
+    const bool t15 = light.crescent_share <= t12 && !t14;
+    const bool t16 = t13 || t15;
+    const float t17 = 1.0f - t4;
+    const float t18 = t4 - t17;
+    const float t19 = 4.0f * t4 * t17;
+    const float t20 = spherecap_max((t12 - light.crescent_share) * light.inv_rest, 5.9604645e-8f);
+    const float t21 = t13 ? t12 : spherecap_min(t20, 0.99999994f);
+    const float t22 = t13 ? 0.0f : light.beyond;
+    const float t23 = 1.6660811f - t22;
+    const float t24 = fmaf(t21, t23, t22);
+    const float t25 = (1.0f - t21) * t23;
+    float t27, t28, t29;
+    float t26 = 0.0f;
+    if (t16) {
+        t27 = spherecap_min(t24, t25);
+        t28 = 1.0f;
         t29 = 1.0f;
-        t30 = 1.0f;
     } else {
-        const float t31 = sqrtf(t20);
-        const float t32 = fmaf(fmaf(fmaf(light.b_6, t20, light.b_4), t20, light.b_2), t20, light.b_0);
-        const float t33 = t31 * fmaf(fmaf(fmaf(light.b_5, t20, light.b_3), t20, light.b_1), t31, t32);
-        const float t34 = sqrtf(fmaf(t19, t19, t33 * t33));
-        const float t35 = light.tau * t33;
-        t30 = t15 ? fmaf(t19, t19, t35 * t35) : 1.0f;
-        const float t36 = t15 ? fmaf(light.kappa, t33, t34) * fmaf(light.cut, t33, t34) : light.crescent_share;
-        const float t37 = (t15 ? light.width : t13) / t36;
-        t28 = t15 ? t13 : spherecap_min(spherecap_max(t37, 5.9604645e-8f), 0.99999994f);
-        const float t38 = t15 ? t37 : light.width;
-        const float t39 = t30 * t38;
-        const float t40 = fmaf(fmaf(fmaf(-0.00060778117f, t39, 1.0676054e-5f), t39, -0.0027203285f), t39 * t39 * t39, fmaf(fmaf(-0.011332183f, t39, -0.10000902f), t39, 1.0000001f));
-        t27 = t15 ? t35 : t31;
-        t29 = t38 * t40;
+        const float t30 = sqrtf(t19);
+        const float t31 = fmaf(fmaf(fmaf(light.b_6, t19, light.b_4), t19, light.b_2), t19, light.b_0);
+        const float t32 = t30 * fmaf(fmaf(fmaf(light.b_5, t19, light.b_3), t19, light.b_1), t30, t31);
+        const float t33 = sqrtf(fmaf(t18, t18, t32 * t32));
+        const float t34 = light.tau * t32;
+        t29 = t14 ? fmaf(t18, t18, t34 * t34) : 1.0f;
+        const float t35 = t14 ? fmaf(light.kappa, t32, t33) * fmaf(light.cut, t32, t33) : light.crescent_share;
+        const float t36 = (t14 ? light.width : t12) / t35;
+        t27 = t14 ? t12 : spherecap_min(spherecap_max(t36, 5.9604645e-8f), 0.99999994f);
+        const float t37 = t14 ? t36 : light.width;
+        const float t38 = t29 * t37;
+        const float t39 = fmaf(fmaf(fmaf(-0.00060778117f, t38, 1.0676054e-5f), t38, -0.0027203285f), t38 * t38 * t38, fmaf(fmaf(-0.011332183f, t38, -0.10000902f), t38, 1.0000001f));
+        t26 = t14 ? t34 : t30;
+        t28 = t37 * t39;
     }
-    const float t41 = spherecap_float_of_bits(fmaf(spherecap_bits(t28), -0.33333334f, 1419900500.0f));
-    const float t42 = t28 * t41;
-    const float t43 = fmaf(-t42, t41 * t41, 1.0f);
-    const float t44 = t43 * t43;
-    const float t45 = fmaf(fmaf(0.12666093f, t44, fmaf(0.14565912f, t43, 0.17283025f)), t44, fmaf(0.22221696f, t43, 0.33333334f));
-    const float t46 = t29 * fmaf(t42 * t43, t45, t42);
-    const float t47 = t46 * t30;
-    const float t48 = t47 * t47 * t47;
-    const float t49 = fmaf(fmaf(fmaf(0.022114987f, t47, -0.063446075f), t47, 0.085662976f), t48, fmaf(fmaf(-0.056249518f, t47, 0.030445365f), t47, 0.0074712755f));
-    const float t50 = fmaf(t49, t48, fmaf(fmaf(0.03209764f, t47, 0.09996679f), t47, 1.0000004f));
-    const float t51 = t46 * t50;
-    const float t52 = t17 ? spherecap_min(t51, 1.0f) : t51;
-    const float t53 = t30 * t52;
-    const float t54 = 2.0f - t53;
-    const float t55 = t52 * t54;
-    const float t56 = sqrtf(t55);
-    float side, t57, t58, t59, t60;
-    if (t17) {
-        const float t61 = t25 - t26 < 0.0f ? t53 : t54;
-        if (t6) {
-            const float t62 = light.height * (1.0f - t55 * t20);
-            const float t63 = sqrtf(light.height * (2.0f - t62));
-            t59 = (t61 - 1.0f) * t63;
-            const float t64 = 1.0f - t62;
-            t58 = fmaf(light.elevation_sin, t64, light.elevation_cos * t59);
-            t57 = fmaf(light.elevation_cos, t64, -(light.elevation_sin * t59));
-            side = t56 * t19 * t63;
-            t60 = t58 * light.on_surface;
+    const float t40 = spherecap_float_of_bits(fmaf(spherecap_bits(t27), -0.33333334f, 1419900500.0f));
+    const float t41 = t27 * t40;
+    const float t42 = fmaf(-t41, t40 * t40, 1.0f);
+    const float t43 = t42 * t42;
+    const float t44 = fmaf(fmaf(0.12666093f, t43, fmaf(0.14565912f, t42, 0.17283025f)), t43, fmaf(0.22221696f, t42, 0.33333334f));
+    const float t45 = t28 * fmaf(t41 * t42, t44, t41);
+    const float t46 = t45 * t29;
+    const float t47 = t46 * t46 * t46;
+    const float t48 = fmaf(fmaf(fmaf(0.022114987f, t46, -0.063446075f), t46, 0.085662976f), t47, fmaf(fmaf(-0.056249518f, t46, 0.030445365f), t46, 0.0074712755f));
+    const float t49 = fmaf(t48, t47, fmaf(fmaf(0.03209764f, t46, 0.09996679f), t46, 1.0000004f));
+    const float t50 = t45 * t49;
+    const float t51 = t29 * t50;
+    const float t52 = 2.0f - t51;
+    const float t53 = t50 * t52;
+    const float t54 = sqrtf(t53);
+    float side, t55, t56, t57, t58;
+    if (t16) {
+        const float t59 = t24 - t25 < 0.0f ? t51 : t52;
+        if (t5) {
+            const float t60 = light.height * (1.0f - t53 * t19);
+            const float t61 = sqrtf(light.height * (2.0f - t60));
+            t57 = (t59 - 1.0f) * t61;
+            const float t62 = 1.0f - t60;
+            t56 = fmaf(light.elevation_sin, t62, light.elevation_cos * t57);
+            t55 = fmaf(light.elevation_cos, t62, -(light.elevation_sin * t57));
+            side = t54 * t18 * t61;
+            t58 = t56 * light.on_surface;
         } else {
-            const float t65 = 1.0f - t61;
-            const float t66 = light.radius_sin * light.radius_sin * t20;
-            const float t67 = spherecap_max(fmaf(light.climb, t61, -light.rise), 0.0f);
-            t58 = sqrtf(fmaf(t55, t66, t67 * t67));
-            const float t68 = t2 * light.radius_cos;
-            const float t69 = light.climb * t65;
-            t59 = fmaf(light.elevation_cos, fmaf(t69, t69 - 2.0f * t68, t55 * t66) / (t58 + t68), -(light.half_axis * t2 * t65));
-            t57 = fmaf(light.half_axis, t65, light.middle);
-            side = light.radius_sin * t56 * t19;
-            t60 = t58;
+            const float t63 = 1.0f - t59;
+            const float t64 = light.radius_sin * light.radius_sin * t19;
+            const float t65 = spherecap_max(fmaf(light.climb, t59, -light.rise), 0.0f);
+            t56 = sqrtf(fmaf(t53, t64, t65 * t65));
+            const float t66 = t2 * light.radius_cos;
+            const float t67 = light.climb * t63;
+            t57 = fmaf(light.elevation_cos, fmaf(t67, t67 - 2.0f * t66, t53 * t64) / (t56 + t66), -(light.half_axis * t2 * t63));
+            t55 = fmaf(light.half_axis, t63, light.middle);
+            side = light.radius_sin * t54 * t18;
+            t58 = t56;
         }
     } else {
-        t58 = t56 * t27;
-        t57 = 1.0f - t53;
-        side = t56 * t19;
-        t59 = fmaf(light.elevation_cos, t58, -((t15 ? -t2 : t2) * t57));
-        t60 = t58;
+        t56 = t54 * t26;
+        t55 = 1.0f - t51;
+        side = t54 * t18;
+        t57 = fmaf(light.elevation_cos, t56, -((t14 ? -t2 : t2) * t55));
+        t58 = t56;
     }
-    const float t70 = t9 ? 1.0f : -1.0f;
-    const float zenith = t59 * t70;
-    const float cosine = t60 * t70;
-    const float t71 = t58 * t70;
-    const float t72 = light.defensive_share * light.inv_solid_angle;
-    const float t73 = spherecap_min(fabsf(cosine), 3.4028235e38f);
-    const float t74 = 0.0f < cosine ? light.inv_above * light.sides_share : cosine < 0.0f ? light.inv_below * light.sides_rest : 0.0f;
-    const float t75 = fmaf(t74, light.defensive_rest, spherecap_min(t72 / spherecap_max(t73, 1.1754944e-38f), 3.4028235e38f));
-    const float t76 = fmaf(zenith, zenith, side * side);
-    const float t77 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t76), 0.0f);
-    const float t78 = sqrtf(t77);
-    const float t79 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t77));
-    const float t80 = light.radius_cos * light.radius_cos / (t79 + t78);
-    const float t81 = 1.0f / light.radius_sin;
-    const float t82 = t80 * t81;
-    const float t83 = -fmaf(t79, t78, t76) * t81;
-    const float t84 = t82 * zenith;
-    const float t85 = t82 * side;
-    const float t86 = fmaf(light.third_axis.x, t57, fmaf(light.sideways.x, side, light.up.x * t71));
-    const float t87 = fmaf(light.third_axis.y, t57, fmaf(light.sideways.y, side, light.up.y * t71));
-    const float t88 = fmaf(light.third_axis.z, t57, fmaf(light.sideways.z, side, light.up.z * t71));
-    const float t89 = fmaf(light.elevation_cos, t83, -(light.elevation_sin * t84));
-    const float t90 = fmaf(light.elevation_sin, t83, light.elevation_cos * t84);
-    const float t91 = fmaf(light.third_axis.x, t89, fmaf(light.sideways.x, t85, light.up.x * t90));
-    const float t92 = fmaf(light.third_axis.y, t89, fmaf(light.sideways.y, t85, light.up.y * t90));
-    const float t93 = fmaf(light.third_axis.z, t89, fmaf(light.sideways.z, t85, light.up.z * t90));
+    const float t68 = t8 ? 1.0f : -1.0f;
+    const float zenith = t57 * t68;
+    const float cosine = t58 * t68;
+    const float t69 = t56 * t68;
+    const float t70 = spherecap_min(fabsf(cosine), 3.4028235e38f);
+    const float t71 = 0.0f < cosine ? light.density_above : cosine < 0.0f ? light.density_below : 0.0f;
+    const float t72 = spherecap_min(light.density / spherecap_max(t70, 1.1754944e-38f), 3.4028235e38f);
+    const float t73 = fmaf(zenith, zenith, side * side);
+    const float t74 = spherecap_max(fmaf(light.radius_sin, light.radius_sin, -t73), 0.0f);
+    const float t75 = sqrtf(t74);
+    const float t76 = sqrtf(fmaf(light.radius_cos, light.radius_cos, t74));
+    const float t77 = light.radius_cos * light.radius_cos / (t76 + t75);
+    const float t78 = 1.0f / light.radius_sin;
+    const float t79 = t77 * t78;
+    const float t80 = -fmaf(t76, t75, t73) * t78;
+    const float t81 = t79 * zenith;
+    const float t82 = t79 * side;
+    const float t83 = fmaf(light.third_axis.x, t55, fmaf(light.sideways.x, side, light.up.x * t69));
+    const float t84 = fmaf(light.third_axis.y, t55, fmaf(light.sideways.y, side, light.up.y * t69));
+    const float t85 = fmaf(light.third_axis.z, t55, fmaf(light.sideways.z, side, light.up.z * t69));
+    const float t86 = fmaf(light.elevation_cos, t80, -(light.elevation_sin * t81));
+    const float t87 = fmaf(light.elevation_sin, t80, light.elevation_cos * t81);
+    const float t88 = fmaf(light.third_axis.x, t86, fmaf(light.sideways.x, t82, light.up.x * t87));
+    const float t89 = fmaf(light.third_axis.y, t86, fmaf(light.sideways.y, t82, light.up.y * t87));
+    const float t90 = fmaf(light.third_axis.z, t86, fmaf(light.sideways.z, t82, light.up.z * t87));
     const spherecap_sample result = {
-        make_float3(t86, t87, t88), t80 * light.distance, make_float3(t91, t92, t93), cosine,
-        t3 ? fmaf(t74, light.defensive_rest * t73, t72) : t74 * t73,
-        t3 ? spherecap_min(t75, 3.4028235e38f) : t74
+        make_float3(t83, t84, t85), t77 * light.distance, make_float3(t88, t89, t90), cosine,
+        fmaf(t71, t70, light.density), spherecap_min(t71 + t72, 3.4028235e38f)
     };
     return result;
 }
@@ -1382,13 +1370,10 @@ static __device__ inline float spherecap_both_pdf_direction(spherecap_both_light
     const bool t7 = fmaf(light.towards_centre.x, direction.x, t1) < 0.0f;
     const float t8 = t7 ? 1.0f : fmaf(t2, direction.x, fmaf(t3, direction.y, t4 * direction.z));
     const float t9 = t7 ? 1.0f : t5;
-    const float t10 = spherecap_min(fabsf(t6), 3.4028235e38f);
-    const float t11 = 0.0f < t6 ? light.inv_above * light.sides_share : t6 < 0.0f ? light.inv_below * light.sides_rest : 0.0f;
-    const float t12 = fmaf(t11, light.defensive_rest * t10, light.defensive_share * light.inv_solid_angle);
-    const bool t13 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
-    const float t14 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light.defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
-    return t15;
+    const float t10 = fmaf(0.0f < t6 ? light.density_above : t6 < 0.0f ? light.density_below : 0.0f, spherecap_min(fabsf(t6), 3.4028235e38f), light.density);
+    const bool t11 = fmaf(t8, t8, t9 * t9) <= light.radius_sin * light.radius_sin * 1.0000019f;
+    const float t12 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
+    return (0.998001f <= t12 && t12 <= 1.002001f) ? (t11 ? t10 : 0.0f) : 0.0f;
 }
 
 static __device__ inline float spherecap_both_pdf_on_sphere(spherecap_both_light light, float3 direction) {
@@ -1396,12 +1381,9 @@ static __device__ inline float spherecap_both_pdf_on_sphere(spherecap_both_light
         return 0.0f;
     }
     const float t1 = fmaf(light.normal.x, direction.x, fmaf(light.normal.y, direction.y, light.normal.z * direction.z));
-    const float t2 = spherecap_min(fabsf(t1), 3.4028235e38f);
-    const float t3 = 0.0f < t1 ? light.inv_above * light.sides_share : t1 < 0.0f ? light.inv_below * light.sides_rest : 0.0f;
-    const float t4 = fmaf(t3, light.defensive_rest * t2, light.defensive_share * light.inv_solid_angle);
-    const float t5 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
-    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light.defensive_share ? t4 : t3 * t2) : 0.0f;
-    return t6;
+    const float t2 = fmaf(0.0f < t1 ? light.density_above : t1 < 0.0f ? light.density_below : 0.0f, spherecap_min(fabsf(t1), 3.4028235e38f), light.density);
+    const float t3 = fmaf(direction.x, direction.x, fmaf(direction.y, direction.y, direction.z * direction.z));
+    return (0.998001f <= t3 && t3 <= 1.002001f) ? t2 : 0.0f;
 }
 
 static __device__ inline float spherecap_both_importance(float3 normal, float3 centre, float radius, float defensive, float strength) {

@@ -99,7 +99,7 @@ struct spherecap_surface_light {
     float width;
     float cut;
     float rise;
-    float inv_above;
+    float density_above;
     float3 third_axis;
     float crescent_share;
     float inv_rest;
@@ -247,8 +247,8 @@ spherecap_surface_light spherecap_surface_prepare(float3 normal, float3 centre, 
     float3 sideways = float3(t28, t29, t30) * t87;
     float distance = t57 * (t1 ? 1.0 : unscale);
     float projected_above = (9.403955e-38 < t85 && t86 && t60) ? t85 : 0.0;
-    float inv_above = 0.0 < projected_above ? 1.0 / projected_above : 0.0;
-    float t88 = t62 ? inv_above : 0.0;
+    float density_above = 0.0 < projected_above ? 1.0 / projected_above : 0.0;
+    float t88 = t62 ? density_above : 0.0;
     bool t89 = t61 && t62 && 0.0 < t88;
     float t90 = t_y * t_y * t_y * shape * t88;
     float t91 = t_y / radius_sin;
@@ -288,11 +288,11 @@ spherecap_surface_light spherecap_surface_prepare(float3 normal, float3 centre, 
         b_5 = t116 - t115;
         b_6 = -t116;
     }
-    bool t117 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
+    bool t117 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < density_above;
     float t118 = t117 ? ((0.0 < radius_cos && t86) ? t84 / (1.0 + radius_cos) : 0.0) * 6.2831855 : 0.0;
     spherecap_surface_light result = {
         t117, t118, t117 ? projected_above : 0.0, towards_centre, sideways, normal, distance, radius_sin,
-        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, inv_above,
+        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, density_above,
         cross(sideways, normal), t89 ? t90 : 0.0, t89 ? 1.0 / (1.0 - t90) : 1.0, beyond,
         elevation_cos * radius_cos, radius_sin * t83, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     };
@@ -351,29 +351,29 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
     float t38 = t37 * t37 * t37;
     float t39 = mad(mad(mad(0.022114987, t37, -0.063446075), t37, 0.085662976), t38, mad(mad(-0.056249518, t37, 0.030445365), t37, 0.0074712755));
     float t40 = t36 * mad(t39, t38, mad(mad(0.03209764, t37, 0.09996679), t37, 1.0000004));
-    float t41 = t7 ? min(1.0, t40) : t40;
-    float t42 = t20 * t41;
-    float t43 = 2.0 - t42;
-    float t44 = t41 * t43;
-    float t45 = sqrt(t44);
-    float zenith, side, cosine, t46;
+    float t41 = t20 * t40;
+    float t42 = 2.0 - t41;
+    float t43 = t40 * t42;
+    float t44 = sqrt(t43);
+    float zenith, side, cosine, t45;
     if (t7) {
-        float t47 = t15 - t16 < 0.0 ? t42 : t43;
-        float t48 = 1.0 - t47;
-        float t49 = light.radius_sin * light.radius_sin * t10;
-        float t50 = max(0.0, mad(light.climb, t47, -light.rise));
-        cosine = sqrt(mad(t44, t49, t50 * t50));
-        float t51 = t1 * light.radius_cos;
-        float t52 = light.climb * t48;
-        zenith = mad(light.elevation_cos, mad(t52, t52 - 2.0 * t51, t44 * t49) / (cosine + t51), -(light.half_axis * t1 * t48));
-        side = light.radius_sin * t45 * t9;
-        t46 = mad(light.half_axis, t48, light.middle);
+        float t46 = t15 - t16 < 0.0 ? t41 : t42;
+        float t47 = 1.0 - t46;
+        float t48 = light.radius_sin * light.radius_sin * t10;
+        float t49 = max(0.0, mad(light.climb, t46, -light.rise));
+        cosine = sqrt(mad(t43, t48, t49 * t49));
+        float t50 = t1 * light.radius_cos;
+        float t51 = light.climb * t47;
+        zenith = mad(light.elevation_cos, mad(t51, t51 - 2.0 * t50, t43 * t48) / (cosine + t50), -(light.half_axis * t1 * t47));
+        side = light.radius_sin * t44 * t9;
+        t45 = mad(light.half_axis, t47, light.middle);
     } else {
-        cosine = t45 * t17;
-        t46 = 1.0 - t42;
-        zenith = mad(light.elevation_cos, cosine, -((t5 ? -t1 : t1) * t46));
-        side = t45 * t9;
+        cosine = t44 * t17;
+        t45 = 1.0 - t41;
+        zenith = mad(light.elevation_cos, cosine, -((t5 ? -t1 : t1) * t45));
+        side = t44 * t9;
     }
+    float t52 = min(3.4028235e38, 0.0 / max(1.1754944e-38, min(3.4028235e38, abs(cosine))));
     float t53 = mad(zenith, zenith, side * side);
     float t54 = max(0.0, mad(light.radius_sin, light.radius_sin, -t53));
     float t55 = sqrt(t54);
@@ -387,9 +387,10 @@ spherecap_sample spherecap_surface_sample(spherecap_surface_light light, float u
     float t63 = mad(light.elevation_cos, t60, -(light.elevation_sin * t61));
     float t64 = mad(light.elevation_sin, t60, light.elevation_cos * t61);
     spherecap_sample result = {
-        light.third_axis * t46 + light.sideways * side + light.normal * cosine, t57 * light.distance,
+        light.third_axis * t45 + light.sideways * side + light.normal * cosine, t57 * light.distance,
         light.third_axis * t63 + light.sideways * t62 + light.normal * t64, cosine,
-        light.inv_above * min(3.4028235e38, max(0.0, cosine)), 0.0 < cosine ? light.inv_above : 0.0
+        light.density_above * min(3.4028235e38, max(0.0, cosine)),
+        min(3.4028235e38, (0.0 < cosine ? light.density_above : 0.0) + t52)
     };
     return result;
 }
@@ -406,7 +407,7 @@ float spherecap_surface_pdf_direction(spherecap_surface_light light, float3 dire
     bool t1 = dot(light.towards_centre, direction) < 0.0;
     float t2 = t1 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
     float t3 = t1 ? 1.0 : dot(light.sideways, direction);
-    float t4 = light.inv_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    float t4 = light.density_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
     float t5 = mad(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019 ? t4 : 0.0;
     float t6 = dot(direction, direction);
     return (0.998001 <= t6 && t6 <= 1.002001) ? t5 : 0.0;
@@ -416,7 +417,7 @@ float spherecap_surface_pdf_on_sphere(spherecap_surface_light light, float3 dire
     if (!light.is_sampled) {
         return 0.0;
     }
-    float t1 = light.inv_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    float t1 = light.density_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
     float t2 = dot(direction, direction);
     return (0.998001 <= t2 && t2 <= 1.002001) ? t1 : 0.0;
 }
@@ -467,13 +468,12 @@ struct spherecap_front_light {
     float width;
     float cut;
     float rise;
-    float share;
-    float rest;
+    float defensive;
     float requested;
-    float inv_above;
+    float density_above;
     float3 third_axis;
     float height;
-    float inv_solid_angle;
+    float density;
     float crescent_share;
     float inv_rest;
     float beyond;
@@ -650,63 +650,62 @@ spherecap_front_light spherecap_front_prepare(float3 normal, float3 centre, floa
     float distance = t69 * (t8 ? 1.0 : unscale);
     float projected_above = (9.403955e-38 < t97 && t98 && t72) ? t97 : 0.0;
     bool t100 = 0.0 < projected_above;
-    float inv_above = t100 ? 1.0 / projected_above : 0.0;
-    float t101 = t74 ? inv_above : 0.0;
-    bool t102 = t73 && t74 && 0.0 < t101;
-    float t103 = t_y * t_y * t_y * shape * t101;
-    float t104 = t_y / radius_sin;
-    float t105 = t104 * t104 * t104 * (mad(cut - t_x, shape_difference, shape) * 0.53033006);
+    float t101 = t100 ? 1.0 / projected_above : 0.0;
+    float t102 = t74 ? t101 : 0.0;
+    bool t103 = t73 && t74 && 0.0 < t102;
+    float t104 = t_y * t_y * t_y * shape * t102;
+    float t105 = t_y / radius_sin;
+    float t106 = t105 * t105 * t105 * (mad(cut - t_x, shape_difference, shape) * 0.53033006);
     float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0;
     if (t73 && !t74) {
-        float t106 = 1.0 + kappa;
-        float t107 = t106 * shape;
-        float t108 = 1.0 / (norm * t107);
-        float t109 = sqrt(t108);
-        b_0 = norm * t109;
-        float t110 = 1.0 / (1.0 + cut);
-        float t111 = (t_x + kappa) * t110 - 0.5;
-        float t112 = t111 * t111 * t111;
-        float t113 = mad(mad(mad(-0.026061837, t111, 0.05430631), t111, -0.06372378), t112, mad(mad(0.080950715, t111, -0.11762552), t111, 0.1684019));
-        float t114 = mad(t113, t112, mad(mad(-0.23594604, t111, 0.32709444), t111, -0.44721135));
-        float t115 = t106 * mad(t114, t112, mad(mad(0.5987523, t111, -0.7754678), t111, 0.94559944));
-        float t116 = t115 * (t110 * t110 * t110) * (t107 * t108);
-        float t117 = mad(t116, t107 * t109, -1.0);
-        float t118 = 1.0 - t116;
-        float t119 = mad(mad(30.011856, t117, mad(-41.541264, t118, -37.009792)), t117, mad(77.96775, t118, 7.470758));
-        float t120 = mad(mad(mad(15.716111 * t118, t118, 9.961183), t118, -2.61785), t118, 0.8681748);
-        float t121 = mad(mad(t119, t117, mad(mad(-49.13454, t118, -9.466533), t118, -1.5877596)), t117, t120);
-        float t122 = t117 * t121;
-        float t123 = mad(mad(7.295638, t117, -7.236236), t117, mad(-11.4868555 * t118 * t118, t118, 3.1255686));
-        float t124 = mad(mad(mad(13.728438, t118, -7.981878), t118, 2.025724), t118, -0.7334958);
-        float t125 = t117 * mad(t123, t117, t124);
-        float t126 = mad(mad(-23.220068, t118, 7.332055), t117, mad(mad(9.986537, t118, 25.22195) * t118, t118, -2.9581387));
-        float t127 = mad(mad(mad(-19.722994, t118, 4.6594768), t118, -0.89538246), t118, 0.5143498);
-        float t128 = t117 * mad(t126, t117, t127);
-        float t129 = mad(mad(mad(1.946617, t117, -3.077631), t117, 1.4945927), t117, -0.24140751);
-        float t130 = t117 * t129;
-        float t131 = t117 * mad(mad(0.38173297, t117, -0.30305624), t117, 0.05897375);
-        b_1 = t116 - b_0 + t122;
-        b_2 = t125 - t122;
-        b_3 = t128 - t125;
-        b_4 = t130 - t128;
-        b_5 = t131 - t130;
-        b_6 = -t131;
+        float t107 = 1.0 + kappa;
+        float t108 = t107 * shape;
+        float t109 = 1.0 / (norm * t108);
+        float t110 = sqrt(t109);
+        b_0 = norm * t110;
+        float t111 = 1.0 / (1.0 + cut);
+        float t112 = (t_x + kappa) * t111 - 0.5;
+        float t113 = t112 * t112 * t112;
+        float t114 = mad(mad(mad(-0.026061837, t112, 0.05430631), t112, -0.06372378), t113, mad(mad(0.080950715, t112, -0.11762552), t112, 0.1684019));
+        float t115 = mad(t114, t113, mad(mad(-0.23594604, t112, 0.32709444), t112, -0.44721135));
+        float t116 = t107 * mad(t115, t113, mad(mad(0.5987523, t112, -0.7754678), t112, 0.94559944));
+        float t117 = t116 * (t111 * t111 * t111) * (t108 * t109);
+        float t118 = mad(t117, t108 * t110, -1.0);
+        float t119 = 1.0 - t117;
+        float t120 = mad(mad(30.011856, t118, mad(-41.541264, t119, -37.009792)), t118, mad(77.96775, t119, 7.470758));
+        float t121 = mad(mad(mad(15.716111 * t119, t119, 9.961183), t119, -2.61785), t119, 0.8681748);
+        float t122 = mad(mad(t120, t118, mad(mad(-49.13454, t119, -9.466533), t119, -1.5877596)), t118, t121);
+        float t123 = t118 * t122;
+        float t124 = mad(mad(7.295638, t118, -7.236236), t118, mad(-11.4868555 * t119 * t119, t119, 3.1255686));
+        float t125 = mad(mad(mad(13.728438, t119, -7.981878), t119, 2.025724), t119, -0.7334958);
+        float t126 = t118 * mad(t124, t118, t125);
+        float t127 = mad(mad(-23.220068, t119, 7.332055), t118, mad(mad(9.986537, t119, 25.22195) * t119, t119, -2.9581387));
+        float t128 = mad(mad(mad(-19.722994, t119, 4.6594768), t119, -0.89538246), t119, 0.5143498);
+        float t129 = t118 * mad(t127, t118, t128);
+        float t130 = mad(mad(mad(1.946617, t118, -3.077631), t118, 1.4945927), t118, -0.24140751);
+        float t131 = t118 * t130;
+        float t132 = t118 * mad(mad(0.38173297, t118, -0.30305624), t118, 0.05897375);
+        b_1 = t117 - b_0 + t123;
+        b_2 = t126 - t123;
+        b_3 = t129 - t126;
+        b_4 = t131 - t129;
+        b_5 = t132 - t131;
+        b_6 = -t132;
     }
-    float share = ((0.0 < defensive || !(0.0 < on_surface)) && !t100) ? 1.0 : defensive;
-    bool t132 = 0.0 < share;
-    float t133 = (0.0 < radius_cos && t98) ? t96 / (1.0 + radius_cos) : 0.0;
-    float inv_solid_angle = t132 ? (0.0 < t133 ? 0.15915494 / t133 : 0.0) : 0.0;
-    bool t134 = 0.0 < inv_solid_angle && t132;
-    bool t135 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (0.0 < inv_above || t134);
+    float t133 = ((0.0 < defensive || !(0.0 < on_surface)) && !t100) ? 1.0 : defensive;
+    bool t134 = 0.0 < t133;
+    float t135 = (0.0 < radius_cos && t98) ? t96 / (1.0 + radius_cos) : 0.0;
+    float density = t134 ? t133 * (0.0 < t135 ? 0.15915494 / t135 : 0.0) : 0.0;
+    float density_above = t101 * (1.0 - t133);
+    bool t136 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && 0.0 < density_above + 0.0 + density;
     spherecap_front_light result = {
-        t135, t135 ? t133 * 6.2831855 : 0.0, t135 ? projected_above : 0.0, towards_centre, sideways,
+        t136, t136 ? t135 * 6.2831855 : 0.0, t136 ? projected_above : 0.0, towards_centre, sideways,
         float3(normal_x, normal_y, normal_z), float3(up_x, up_y, up_z), on_surface, distance, radius_sin,
-        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share, 1.0 - share,
-        defensive, inv_above,
+        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t133, defensive,
+        density_above,
         float3(mad(sideways.y, up_z, -(sideways.z * up_y)), mad(sideways.z, up_x, -(sideways.x * up_z)), mad(sideways.x, up_y, -(sideways.y * up_x))),
-        t132 ? t133 : 0.0, inv_solid_angle, t102 ? t103 : 0.0, t102 ? 1.0 / (1.0 - t103) : 1.0,
-        t102 ? t105 : 0.0, elevation_cos * radius_cos, radius_sin * t95, climb, b_0, b_1, b_2, b_3, b_4, b_5,
-        b_6
+        t134 ? t135 : 0.0, density, t103 ? t104 : 0.0, t103 ? 1.0 / (1.0 - t104) : 1.0, t103 ? t106 : 0.0,
+        elevation_cos * radius_cos, radius_sin * t95, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     };
     return result;
 }
@@ -716,114 +715,109 @@ spherecap_sample spherecap_front_sample(spherecap_front_light light, float u0, f
         return spherecap_no_sample();
     }
     float t1 = abs(light.elevation_sin);
-    bool t2 = 0.0 < light.share;
-    float t3 = min(0.99999994, max(5.9604645e-8, u0));
-    float t4 = min(0.99999994, max(5.9604645e-8, u1));
-    bool t5 = t3 < light.share && t2;
-    float t6 = max(5.9604645e-8, (t5 ? t3 : t3 - light.share) / (t5 ? light.share : light.rest));
-    float t7 = (0.0 < light.requested && t2) ? min(0.99999994, t6) : t3;
-    bool t8 = !(0.0 < light.tau) || t5;
-    bool t9 = !(0.0 < light.elevation_sin) && !t8;
-    bool t10 = light.crescent_share <= t7 && !t9;
-    bool t11 = t8 || t10;
-    float t12 = 1.0 - t4;
-    float t13 = t4 - t12;
-    float t14 = 4.0 * t4 * t12;
-    float t15 = min(0.99999994, max(5.9604645e-8, (t7 - light.crescent_share) * light.inv_rest));
-    float t16 = t8 ? t7 : t15;
-    float t17 = t8 ? 0.0 : light.beyond;
-    float t18 = 1.6660811 - t17;
-    float t19 = mad(t16, t18, t17);
-    float t20 = (1.0 - t16) * t18;
-    float t22, t23, t24;
-    float t21 = 0.0;
-    if (t11) {
-        t22 = min(t20, t19);
+    float t2 = min(0.99999994, max(5.9604645e-8, u0));
+    float t3 = min(0.99999994, max(5.9604645e-8, u1));
+    bool t4 = t2 < light.defensive;
+    float t5 = (t4 ? t2 : t2 - light.defensive) / (t4 ? light.defensive : 1.0 - light.defensive);
+    float t6 = 0.0 < light.requested ? min(0.99999994, max(5.9604645e-8, t5)) : t2;
+    bool t7 = !(0.0 < light.tau) || t4;
+    bool t8 = !(0.0 < light.elevation_sin) && !t7;
+    bool t9 = light.crescent_share <= t6 && !t8;
+    bool t10 = t7 || t9;
+    float t11 = 1.0 - t3;
+    float t12 = t3 - t11;
+    float t13 = 4.0 * t3 * t11;
+    float t14 = min(0.99999994, max(5.9604645e-8, (t6 - light.crescent_share) * light.inv_rest));
+    float t15 = t7 ? t6 : t14;
+    float t16 = t7 ? 0.0 : light.beyond;
+    float t17 = 1.6660811 - t16;
+    float t18 = mad(t15, t17, t16);
+    float t19 = (1.0 - t15) * t17;
+    float t21, t22, t23;
+    float t20 = 0.0;
+    if (t10) {
+        t21 = min(t19, t18);
+        t22 = 1.0;
         t23 = 1.0;
-        t24 = 1.0;
     } else {
-        float t25 = sqrt(t14);
-        float t26 = mad(mad(mad(light.b_5, t14, light.b_3), t14, light.b_1), t25, mad(mad(mad(light.b_6, t14, light.b_4), t14, light.b_2), t14, light.b_0));
-        float t27 = t25 * t26;
-        float t28 = sqrt(mad(t13, t13, t27 * t27));
-        float t29 = light.tau * t27;
-        t24 = t9 ? mad(t13, t13, t29 * t29) : 1.0;
-        float t30 = t9 ? mad(light.kappa, t27, t28) * mad(light.cut, t27, t28) : light.crescent_share;
-        float t31 = (t9 ? light.width : t7) / t30;
-        float t32 = t9 ? t31 : light.width;
-        float t33 = t24 * t32;
-        float t34 = mad(mad(mad(-0.00060778117, t33, 1.0676054e-5), t33, -0.0027203285), t33 * t33 * t33, mad(mad(-0.011332183, t33, -0.10000902), t33, 1.0000001));
-        t21 = t9 ? t29 : t25;
-        t22 = t9 ? t7 : min(0.99999994, max(5.9604645e-8, t31));
-        t23 = t32 * t34;
+        float t24 = sqrt(t13);
+        float t25 = mad(mad(mad(light.b_5, t13, light.b_3), t13, light.b_1), t24, mad(mad(mad(light.b_6, t13, light.b_4), t13, light.b_2), t13, light.b_0));
+        float t26 = t24 * t25;
+        float t27 = sqrt(mad(t12, t12, t26 * t26));
+        float t28 = light.tau * t26;
+        t23 = t8 ? mad(t12, t12, t28 * t28) : 1.0;
+        float t29 = t8 ? mad(light.kappa, t26, t27) * mad(light.cut, t26, t27) : light.crescent_share;
+        float t30 = (t8 ? light.width : t6) / t29;
+        float t31 = t8 ? t30 : light.width;
+        float t32 = t23 * t31;
+        float t33 = mad(mad(mad(-0.00060778117, t32, 1.0676054e-5), t32, -0.0027203285), t32 * t32 * t32, mad(mad(-0.011332183, t32, -0.10000902), t32, 1.0000001));
+        t20 = t8 ? t28 : t24;
+        t21 = t8 ? t6 : min(0.99999994, max(5.9604645e-8, t30));
+        t22 = t31 * t33;
     }
-    float t35 = spherecap_float_of_bits(mad(spherecap_bits(t22), -0.33333334, 1419900500.0));
-    float t36 = t22 * t35;
-    float t37 = mad(-t36, t35 * t35, 1.0);
-    float t38 = t37 * t37;
-    float t39 = mad(mad(0.12666093, t38, mad(0.14565912, t37, 0.17283025)), t38, mad(0.22221696, t37, 0.33333334));
-    float t40 = t23 * mad(t36 * t37, t39, t36);
-    float t41 = t40 * t24;
-    float t42 = t41 * t41 * t41;
-    float t43 = mad(mad(mad(0.022114987, t41, -0.063446075), t41, 0.085662976), t42, mad(mad(-0.056249518, t41, 0.030445365), t41, 0.0074712755));
-    float t44 = t40 * mad(t43, t42, mad(mad(0.03209764, t41, 0.09996679), t41, 1.0000004));
-    float t45 = t11 ? min(1.0, t44) : t44;
-    float t46 = t24 * t45;
-    float t47 = 2.0 - t46;
-    float t48 = t45 * t47;
-    float t49 = sqrt(t48);
-    float zenith, side, cosine, t50, t51;
-    if (t11) {
-        float t52 = t19 - t20 < 0.0 ? t46 : t47;
-        if (t5) {
-            float t53 = light.height * (1.0 - t48 * t14);
-            float t54 = sqrt(light.height * (2.0 - t53));
-            zenith = (t52 - 1.0) * t54;
-            float t55 = 1.0 - t53;
-            t51 = mad(light.elevation_sin, t55, light.elevation_cos * zenith);
-            t50 = mad(light.elevation_cos, t55, -(light.elevation_sin * zenith));
-            side = t49 * t13 * t54;
-            cosine = t51 * light.on_surface;
+    float t34 = spherecap_float_of_bits(mad(spherecap_bits(t21), -0.33333334, 1419900500.0));
+    float t35 = t21 * t34;
+    float t36 = mad(-t35, t34 * t34, 1.0);
+    float t37 = t36 * t36;
+    float t38 = mad(mad(0.12666093, t37, mad(0.14565912, t36, 0.17283025)), t37, mad(0.22221696, t36, 0.33333334));
+    float t39 = t22 * mad(t35 * t36, t38, t35);
+    float t40 = t39 * t23;
+    float t41 = t40 * t40 * t40;
+    float t42 = mad(mad(mad(0.022114987, t40, -0.063446075), t40, 0.085662976), t41, mad(mad(-0.056249518, t40, 0.030445365), t40, 0.0074712755));
+    float t43 = t39 * mad(t42, t41, mad(mad(0.03209764, t40, 0.09996679), t40, 1.0000004));
+    float t44 = t23 * t43;
+    float t45 = 2.0 - t44;
+    float t46 = t43 * t45;
+    float t47 = sqrt(t46);
+    float zenith, side, cosine, t48, t49;
+    if (t10) {
+        float t50 = t18 - t19 < 0.0 ? t44 : t45;
+        if (t4) {
+            float t51 = light.height * (1.0 - t46 * t13);
+            float t52 = sqrt(light.height * (2.0 - t51));
+            zenith = (t50 - 1.0) * t52;
+            float t53 = 1.0 - t51;
+            t49 = mad(light.elevation_sin, t53, light.elevation_cos * zenith);
+            t48 = mad(light.elevation_cos, t53, -(light.elevation_sin * zenith));
+            side = t47 * t12 * t52;
+            cosine = t49 * light.on_surface;
         } else {
-            float t56 = 1.0 - t52;
-            float t57 = light.radius_sin * light.radius_sin * t14;
-            float t58 = max(0.0, mad(light.climb, t52, -light.rise));
-            t51 = sqrt(mad(t48, t57, t58 * t58));
-            float t59 = t1 * light.radius_cos;
-            float t60 = light.climb * t56;
-            zenith = mad(light.elevation_cos, mad(t60, t60 - 2.0 * t59, t48 * t57) / (t51 + t59), -(light.half_axis * t1 * t56));
-            t50 = mad(light.half_axis, t56, light.middle);
-            side = light.radius_sin * t49 * t13;
-            cosine = t51;
+            float t54 = 1.0 - t50;
+            float t55 = light.radius_sin * light.radius_sin * t13;
+            float t56 = max(0.0, mad(light.climb, t50, -light.rise));
+            t49 = sqrt(mad(t46, t55, t56 * t56));
+            float t57 = t1 * light.radius_cos;
+            float t58 = light.climb * t54;
+            zenith = mad(light.elevation_cos, mad(t58, t58 - 2.0 * t57, t46 * t55) / (t49 + t57), -(light.half_axis * t1 * t54));
+            t48 = mad(light.half_axis, t54, light.middle);
+            side = light.radius_sin * t47 * t12;
+            cosine = t49;
         }
     } else {
-        cosine = t49 * t21;
-        t50 = 1.0 - t46;
-        zenith = mad(light.elevation_cos, cosine, -((t9 ? -t1 : t1) * t50));
-        side = t49 * t13;
-        t51 = cosine;
+        cosine = t47 * t20;
+        t48 = 1.0 - t44;
+        zenith = mad(light.elevation_cos, cosine, -((t8 ? -t1 : t1) * t48));
+        side = t47 * t12;
+        t49 = cosine;
     }
-    float t61 = light.share * light.inv_solid_angle;
-    float t62 = 0.0 < cosine ? light.inv_above : 0.0;
-    float t63 = min(3.4028235e38, max(0.0, cosine));
-    float t64 = min(3.4028235e38, t61 / max(1.1754944e-38, min(3.4028235e38, abs(cosine))));
-    float t65 = mad(zenith, zenith, side * side);
-    float t66 = max(0.0, mad(light.radius_sin, light.radius_sin, -t65));
-    float t67 = sqrt(t66);
-    float t68 = sqrt(mad(light.radius_cos, light.radius_cos, t66));
-    float t69 = light.radius_cos * light.radius_cos / (t68 + t67);
-    float t70 = 1.0 / light.radius_sin;
-    float t71 = t69 * t70;
-    float t72 = -mad(t68, t67, t65) * t70;
-    float t73 = t71 * zenith;
-    float t74 = t71 * side;
-    float t75 = mad(light.elevation_cos, t72, -(light.elevation_sin * t73));
-    float t76 = mad(light.elevation_sin, t72, light.elevation_cos * t73);
+    float t59 = mad(light.density_above, min(3.4028235e38, max(0.0, cosine)), light.density);
+    float t60 = min(3.4028235e38, light.density / max(1.1754944e-38, min(3.4028235e38, abs(cosine))));
+    float t61 = mad(zenith, zenith, side * side);
+    float t62 = max(0.0, mad(light.radius_sin, light.radius_sin, -t61));
+    float t63 = sqrt(t62);
+    float t64 = sqrt(mad(light.radius_cos, light.radius_cos, t62));
+    float t65 = light.radius_cos * light.radius_cos / (t64 + t63);
+    float t66 = 1.0 / light.radius_sin;
+    float t67 = t65 * t66;
+    float t68 = -mad(t64, t63, t61) * t66;
+    float t69 = t67 * zenith;
+    float t70 = t67 * side;
+    float t71 = mad(light.elevation_cos, t68, -(light.elevation_sin * t69));
+    float t72 = mad(light.elevation_sin, t68, light.elevation_cos * t69);
     spherecap_sample result = {
-        light.third_axis * t50 + light.sideways * side + light.up * t51, t69 * light.distance,
-        light.third_axis * t75 + light.sideways * t74 + light.up * t76, cosine,
-        t2 ? mad(light.inv_above, light.rest * t63, t61) : light.inv_above * t63,
-        t2 ? min(3.4028235e38, mad(t62, light.rest, t64)) : t62
+        light.third_axis * t48 + light.sideways * side + light.up * t49, t65 * light.distance,
+        light.third_axis * t71 + light.sideways * t70 + light.up * t72, cosine, t59,
+        min(3.4028235e38, (0.0 < cosine ? light.density_above : 0.0) + t60)
     };
     return result;
 }
@@ -840,22 +834,19 @@ float spherecap_front_pdf_direction(spherecap_front_light light, float3 directio
     bool t1 = dot(light.towards_centre, direction) < 0.0;
     float t2 = t1 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
     float t3 = t1 ? 1.0 : dot(light.sideways, direction);
-    float t4 = min(3.4028235e38, max(0.0, dot(light.normal, direction)));
-    float t5 = mad(light.inv_above, light.rest * t4, light.share * light.inv_solid_angle);
-    float t6 = mad(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.share ? t5 : light.inv_above * t4) : 0.0;
-    float t7 = dot(direction, direction);
-    return (0.998001 <= t7 && t7 <= 1.002001) ? t6 : 0.0;
+    float t4 = mad(light.density_above, min(3.4028235e38, max(0.0, dot(light.normal, direction))), light.density);
+    float t5 = mad(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019 ? t4 : 0.0;
+    float t6 = dot(direction, direction);
+    return (0.998001 <= t6 && t6 <= 1.002001) ? t5 : 0.0;
 }
 
 float spherecap_front_pdf_on_sphere(spherecap_front_light light, float3 direction) {
     if (!light.is_sampled) {
         return 0.0;
     }
-    float t1 = min(3.4028235e38, max(0.0, dot(light.normal, direction)));
-    float t2 = mad(light.inv_above, light.rest * t1, light.share * light.inv_solid_angle);
-    float t3 = dot(direction, direction);
-    float t4 = (0.998001 <= t3 && t3 <= 1.002001) ? (0.0 < light.share ? t2 : light.inv_above * t1) : 0.0;
-    return t4;
+    float t1 = mad(light.density_above, min(3.4028235e38, max(0.0, dot(light.normal, direction))), light.density);
+    float t2 = dot(direction, direction);
+    return (0.998001 <= t2 && t2 <= 1.002001) ? t1 : 0.0;
 }
 
 float spherecap_front_importance(float3 normal, float3 centre, float radius, float defensive, float strength) {
@@ -920,16 +911,14 @@ struct spherecap_both_light {
     float width;
     float cut;
     float rise;
-    float defensive_share;
-    float defensive_rest;
+    float defensive;
     float requested;
-    float inv_above;
-    float inv_below;
-    float sides_share;
-    float sides_rest;
+    float above;
+    float density_above;
+    float density_below;
     float3 third_axis;
     float height;
-    float inv_solid_angle;
+    float density;
     float crescent_share;
     float inv_rest;
     float beyond;
@@ -1111,88 +1100,91 @@ spherecap_both_light spherecap_both_prepare(float3 normal, float3 centre, float 
     float projected_below = (9.403955e-38 < t99 && t101) ? t99 : 0.0;
     bool t103 = 0.0 < projected_above;
     bool t104 = 0.0 < projected_below;
-    float inv_above = t103 ? 1.0 / projected_above : 0.0;
-    float inv_below = t104 ? 1.0 / projected_below : 0.0;
-    float t105 = t74 ? inv_above : inv_below;
-    bool t106 = 0.0 < t105 && t73;
-    float t107 = t_y * t_y * t_y * shape * t105;
-    float t108 = t_y / radius_sin;
-    float t109 = mad(cut - t_x, shape_difference, shape);
+    float t105 = t103 ? 1.0 / projected_above : 0.0;
+    float t106 = t104 ? 1.0 / projected_below : 0.0;
+    float t107 = t74 ? t105 : t106;
+    bool t108 = 0.0 < t107 && t73;
+    float t109 = t_y * t_y * t_y * shape * t107;
+    float t110 = t_y / radius_sin;
+    float t111 = mad(cut - t_x, shape_difference, shape);
     float b_0 = 0.0, b_1 = 0.0, b_2 = 0.0, b_3 = 0.0, b_4 = 0.0, b_5 = 0.0, b_6 = 0.0;
     if (t73) {
-        float t110 = 1.0 + kappa;
-        float t111 = t110 * shape;
-        float t112 = 1.0 / (norm * t111);
-        float t113 = sqrt(t112);
-        b_0 = norm * t113;
-        float t114 = 1.0 / (1.0 + cut);
-        float t115 = (t_x + kappa) * t114 - 0.5;
-        float t116 = t115 * t115 * t115;
-        float t117 = mad(mad(mad(-0.026061837, t115, 0.05430631), t115, -0.06372378), t116, mad(mad(0.080950715, t115, -0.11762552), t115, 0.1684019));
-        float t118 = mad(t117, t116, mad(mad(-0.23594604, t115, 0.32709444), t115, -0.44721135));
-        float t119 = t110 * mad(t118, t116, mad(mad(0.5987523, t115, -0.7754678), t115, 0.94559944));
-        float t120 = t119 * (t114 * t114 * t114) * (t111 * t112);
-        float t121 = mad(t120, t111 * t113, -1.0);
-        float t122 = 1.0 - t120;
-        float t123 = mad(mad(30.011856, t121, mad(-41.541264, t122, -37.009792)), t121, mad(77.96775, t122, 7.470758));
-        float t124 = mad(mad(mad(15.716111 * t122, t122, 9.961183), t122, -2.61785), t122, 0.8681748);
-        float t125 = mad(mad(t123, t121, mad(mad(-49.13454, t122, -9.466533), t122, -1.5877596)), t121, t124);
-        float t126 = t121 * t125;
-        float t127 = mad(mad(7.295638, t121, -7.236236), t121, mad(-11.4868555 * t122 * t122, t122, 3.1255686));
-        float t128 = mad(mad(mad(13.728438, t122, -7.981878), t122, 2.025724), t122, -0.7334958);
-        float t129 = t121 * mad(t127, t121, t128);
-        float t130 = mad(mad(-23.220068, t122, 7.332055), t121, mad(mad(9.986537, t122, 25.22195) * t122, t122, -2.9581387));
-        float t131 = mad(mad(mad(-19.722994, t122, 4.6594768), t122, -0.89538246), t122, 0.5143498);
-        float t132 = t121 * mad(t130, t121, t131);
-        float t133 = mad(mad(mad(1.946617, t121, -3.077631), t121, 1.4945927), t121, -0.24140751);
-        float t134 = t121 * t133;
-        float t135 = t121 * mad(mad(0.38173297, t121, -0.30305624), t121, 0.05897375);
-        b_1 = t120 - b_0 + t126;
-        b_2 = t129 - t126;
-        b_3 = t132 - t129;
-        b_4 = t134 - t132;
-        b_5 = t135 - t134;
-        b_6 = -t135;
+        float t112 = 1.0 + kappa;
+        float t113 = t112 * shape;
+        float t114 = 1.0 / (norm * t113);
+        float t115 = sqrt(t114);
+        b_0 = norm * t115;
+        float t116 = 1.0 / (1.0 + cut);
+        float t117 = (t_x + kappa) * t116 - 0.5;
+        float t118 = t117 * t117 * t117;
+        float t119 = mad(mad(mad(-0.026061837, t117, 0.05430631), t117, -0.06372378), t118, mad(mad(0.080950715, t117, -0.11762552), t117, 0.1684019));
+        float t120 = mad(t119, t118, mad(mad(-0.23594604, t117, 0.32709444), t117, -0.44721135));
+        float t121 = t112 * mad(t120, t118, mad(mad(0.5987523, t117, -0.7754678), t117, 0.94559944));
+        float t122 = t121 * (t116 * t116 * t116) * (t113 * t114);
+        float t123 = mad(t122, t113 * t115, -1.0);
+        float t124 = 1.0 - t122;
+        float t125 = mad(mad(30.011856, t123, mad(-41.541264, t124, -37.009792)), t123, mad(77.96775, t124, 7.470758));
+        float t126 = mad(mad(mad(15.716111 * t124, t124, 9.961183), t124, -2.61785), t124, 0.8681748);
+        float t127 = mad(mad(t125, t123, mad(mad(-49.13454, t124, -9.466533), t124, -1.5877596)), t123, t126);
+        float t128 = t123 * t127;
+        float t129 = mad(mad(7.295638, t123, -7.236236), t123, mad(-11.4868555 * t124 * t124, t124, 3.1255686));
+        float t130 = mad(mad(mad(13.728438, t124, -7.981878), t124, 2.025724), t124, -0.7334958);
+        float t131 = t123 * mad(t129, t123, t130);
+        float t132 = mad(mad(-23.220068, t124, 7.332055), t123, mad(mad(9.986537, t124, 25.22195) * t124, t124, -2.9581387));
+        float t133 = mad(mad(mad(-19.722994, t124, 4.6594768), t124, -0.89538246), t124, 0.5143498);
+        float t134 = t123 * mad(t132, t123, t133);
+        float t135 = mad(mad(mad(1.946617, t123, -3.077631), t123, 1.4945927), t123, -0.24140751);
+        float t136 = t123 * t135;
+        float t137 = t123 * mad(mad(0.38173297, t123, -0.30305624), t123, 0.05897375);
+        b_1 = t122 - b_0 + t128;
+        b_2 = t131 - t128;
+        b_3 = t134 - t131;
+        b_4 = t136 - t134;
+        b_5 = t137 - t136;
+        b_6 = -t137;
     }
-    float defensive_share = (!(t103 || t104) && (0.0 < defensive || !(0.0 < on_surface))) ? 1.0 : defensive;
-    bool t136 = 0.0 < defensive_share;
-    float t137 = (0.0 < radius_cos && t100) ? t96 / (1.0 + radius_cos) : 0.0;
-    float inv_solid_angle = t136 ? (0.0 < t137 ? 0.15915494 / t137 : 0.0) : 0.0;
-    float t138 = 0.0;
+    float t138 = (!(t103 || t104) && (0.0 < defensive || !(0.0 < on_surface))) ? 1.0 : defensive;
+    bool t139 = 0.0 < t138;
+    float t140 = (0.0 < radius_cos && t100) ? t96 / (1.0 + radius_cos) : 0.0;
+    float density = t139 ? t138 * (0.0 < t140 ? 0.15915494 / t140 : 0.0) : 0.0;
+    float t141 = 1.0 - t138;
+    float t142 = 0.0;
     if (0.0 < tau) {
-        float t139 = 1.0 / (elevation_cos * elevation_cos);
-        float t140 = tau * tau;
-        float t141 = t140 * t139 / (1.0 + t_x);
-        float t142 = kappa - 0.5;
-        float t143 = cut - 0.5;
-        float t144 = t142 * t142;
-        float t145 = t143 * t143;
-        float t146 = mad(0.05430631, t144, 0.080950715);
-        float t147 = mad(t146, t144, 0.1684019);
-        float t148 = mad(t147, t144, 0.32709444);
-        float t149 = mad(mad(mad(mad(0.05430631, t145, t146), t145, t147), t145, t148), t145, mad(t148, t144, 0.5987523));
-        float t150 = mad(-0.026061837, t144, -0.06372378);
-        float t151 = mad(t150, t144, -0.11762552);
-        float t152 = mad(t151, t144, -0.23594604);
-        float t153 = mad(t152, t144, -0.44721135);
-        float t154 = mad(mad(mad(mad(-0.026061837, t145, t150), t145, t151), t145, t152), t145, t153);
-        float t155 = mad(kappa * t141, mad(mad(t143, t154, t149), t142 + t143, mad(t153, t144, -0.7754678)), mad(t109, t141 - kappa * kappa, kappa) * t139);
-        t138 = min(0.5, max(0.0, t140 * tau * (radius_cos + 1.0) * t155 * 0.31830987));
+        float t143 = 1.0 / (elevation_cos * elevation_cos);
+        float t144 = tau * tau;
+        float t145 = t144 * t143 / (1.0 + t_x);
+        float t146 = kappa - 0.5;
+        float t147 = cut - 0.5;
+        float t148 = t146 * t146;
+        float t149 = t147 * t147;
+        float t150 = mad(0.05430631, t148, 0.080950715);
+        float t151 = mad(t150, t148, 0.1684019);
+        float t152 = mad(t151, t148, 0.32709444);
+        float t153 = mad(mad(mad(mad(0.05430631, t149, t150), t149, t151), t149, t152), t149, mad(t152, t148, 0.5987523));
+        float t154 = mad(-0.026061837, t148, -0.06372378);
+        float t155 = mad(t154, t148, -0.11762552);
+        float t156 = mad(t155, t148, -0.23594604);
+        float t157 = mad(t156, t148, -0.44721135);
+        float t158 = mad(mad(mad(mad(-0.026061837, t149, t154), t149, t155), t149, t156), t149, t157);
+        float t159 = mad(kappa * t145, mad(mad(t147, t158, t153), t146 + t147, mad(t157, t148, -0.7754678)), mad(t111, t145 - kappa * kappa, kappa) * t143);
+        t142 = min(0.5, max(0.0, t144 * tau * (radius_cos + 1.0) * t159 * 0.31830987));
     }
-    float t156 = 1.0 - t138;
-    bool t157 = 0.0 < inv_below;
-    bool t158 = 0.0 < inv_above;
-    bool t159 = 0.0 < inv_solid_angle && t136;
-    bool t160 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (0.0 < inv_above + inv_below || t159);
+    float t160 = 1.0 - t142;
+    bool t161 = 0.0 < t106;
+    bool t162 = 0.0 < t105;
+    float above = t161 ? (t162 ? (t74 ? t160 : t142) : 0.0) : 1.0;
+    float density_above = t105 * above * t141;
+    float density_below = t106 * (t162 ? (t161 ? (t74 ? t142 : t160) : 0.0) : 1.0) * t141;
+    bool t163 = distance <= 3.4028235e38 && 0.0 < density_above + density_below + density;
+    bool t164 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && t163;
     spherecap_both_light result = {
-        t160, t160 ? t137 * 6.2831855 : 0.0, t160 ? projected_above : 0.0, towards_centre, sideways,
+        t164, t164 ? t140 * 6.2831855 : 0.0, t164 ? projected_above : 0.0, towards_centre, sideways,
         float3(normal_x, normal_y, normal_z), float3(up_x, up_y, up_z), on_surface, distance, radius_sin,
-        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
-        1.0 - defensive_share, defensive, inv_above, inv_below,
-        t157 ? (t158 ? (t74 ? t156 : t138) : 0.0) : 1.0, t158 ? (t157 ? (t74 ? t138 : t156) : 0.0) : 1.0,
+        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t138, defensive, above,
+        density_above, density_below,
         float3(mad(sideways.y, up_z, -(sideways.z * up_y)), mad(sideways.z, up_x, -(sideways.x * up_z)), mad(sideways.x, up_y, -(sideways.y * up_x))),
-        t136 ? t137 : 0.0, inv_solid_angle, t106 ? t107 : 0.0, t106 ? 1.0 / (1.0 - t107) : 1.0,
-        t106 ? t108 * t108 * t108 * (t109 * 0.53033006) : 0.0, elevation_cos * radius_cos, radius_sin * t95,
+        t139 ? t140 : 0.0, density, t108 ? t109 : 0.0, t108 ? 1.0 / (1.0 - t109) : 1.0,
+        t108 ? t110 * t110 * t110 * (t111 * 0.53033006) : 0.0, elevation_cos * radius_cos, radius_sin * t95,
         climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     };
     return result;
@@ -1204,122 +1196,119 @@ spherecap_sample spherecap_both_sample(spherecap_both_light light, float u0, flo
     }
     bool t1 = 0.0 < light.elevation_sin;
     float t2 = abs(light.elevation_sin);
-    bool t3 = 0.0 < light.defensive_share;
-    float t4 = min(0.99999994, max(5.9604645e-8, u0));
-    float t5 = min(0.99999994, max(5.9604645e-8, u1));
-    bool t6 = t4 < light.defensive_share && t3;
-    float t7 = (t6 ? t4 : t4 - light.defensive_share) / (t6 ? light.defensive_share : light.defensive_rest);
-    float t8 = (0.0 < light.requested && t3) ? min(0.99999994, max(5.9604645e-8, t7)) : t4;
-    bool t9 = t8 < light.sides_share || t6;
-    float t10 = (t9 ? t8 : t8 - light.sides_share) / (t9 ? light.sides_share : light.sides_rest);
-    bool t11 = t9 && t1;
-    bool t12 = !t9 && !t1;
-    float t13 = t6 ? t8 : min(0.99999994, max(5.9604645e-8, t10));
-    bool t14 = !(0.0 < light.tau) || t6;
-    bool t15 = !(t11 || t12) && !t14;
-    bool t16 = light.crescent_share <= t13 && !t15;
-    bool t17 = t14 || t16;
-    float t18 = 1.0 - t5;
-    float t19 = t5 - t18;
-    float t20 = 4.0 * t5 * t18;
-    float t21 = min(0.99999994, max(5.9604645e-8, (t13 - light.crescent_share) * light.inv_rest));
-    float t22 = t14 ? t13 : t21;
-    float t23 = t14 ? 0.0 : light.beyond;
-    float t24 = 1.6660811 - t23;
-    float t25 = mad(t22, t24, t23);
-    float t26 = (1.0 - t22) * t24;
-    float t28, t29, t30;
-    float t27 = 0.0;
-    if (t17) {
-        t28 = min(t26, t25);
+    float t3 = min(0.99999994, max(5.9604645e-8, u0));
+    float t4 = min(0.99999994, max(5.9604645e-8, u1));
+    bool t5 = t3 < light.defensive;
+    float t6 = (t5 ? t3 : t3 - light.defensive) / (t5 ? light.defensive : 1.0 - light.defensive);
+    float t7 = 0.0 < light.requested ? min(0.99999994, max(5.9604645e-8, t6)) : t3;
+    bool t8 = t7 < light.above || t5;
+    float t9 = max(5.9604645e-8, (t8 ? t7 : t7 - light.above) / (t8 ? light.above : 1.0 - light.above));
+    bool t10 = t8 && t1;
+    bool t11 = !t8 && !t1;
+    float t12 = t5 ? t7 : min(0.99999994, t9);
+    bool t13 = !(0.0 < light.tau) || t5;
+    bool t14 = !(t10 || t11) && !t13;
+    bool t15 = light.crescent_share <= t12 && !t14;
+    bool t16 = t13 || t15;
+    float t17 = 1.0 - t4;
+    float t18 = t4 - t17;
+    float t19 = 4.0 * t4 * t17;
+    float t20 = min(0.99999994, max(5.9604645e-8, (t12 - light.crescent_share) * light.inv_rest));
+    float t21 = t13 ? t12 : t20;
+    float t22 = t13 ? 0.0 : light.beyond;
+    float t23 = 1.6660811 - t22;
+    float t24 = mad(t21, t23, t22);
+    float t25 = (1.0 - t21) * t23;
+    float t27, t28, t29;
+    float t26 = 0.0;
+    if (t16) {
+        t27 = min(t25, t24);
+        t28 = 1.0;
         t29 = 1.0;
-        t30 = 1.0;
     } else {
-        float t31 = sqrt(t20);
-        float t32 = mad(mad(mad(light.b_5, t20, light.b_3), t20, light.b_1), t31, mad(mad(mad(light.b_6, t20, light.b_4), t20, light.b_2), t20, light.b_0));
-        float t33 = t31 * t32;
-        float t34 = sqrt(mad(t19, t19, t33 * t33));
-        float t35 = light.tau * t33;
-        t30 = t15 ? mad(t19, t19, t35 * t35) : 1.0;
-        float t36 = t15 ? mad(light.kappa, t33, t34) * mad(light.cut, t33, t34) : light.crescent_share;
-        float t37 = (t15 ? light.width : t13) / t36;
-        float t38 = t15 ? t37 : light.width;
-        float t39 = t30 * t38;
-        float t40 = mad(mad(mad(-0.00060778117, t39, 1.0676054e-5), t39, -0.0027203285), t39 * t39 * t39, mad(mad(-0.011332183, t39, -0.10000902), t39, 1.0000001));
-        t27 = t15 ? t35 : t31;
-        t28 = t15 ? t13 : min(0.99999994, max(5.9604645e-8, t37));
-        t29 = t38 * t40;
+        float t30 = sqrt(t19);
+        float t31 = mad(mad(mad(light.b_5, t19, light.b_3), t19, light.b_1), t30, mad(mad(mad(light.b_6, t19, light.b_4), t19, light.b_2), t19, light.b_0));
+        float t32 = t30 * t31;
+        float t33 = sqrt(mad(t18, t18, t32 * t32));
+        float t34 = light.tau * t32;
+        t29 = t14 ? mad(t18, t18, t34 * t34) : 1.0;
+        float t35 = t14 ? mad(light.kappa, t32, t33) * mad(light.cut, t32, t33) : light.crescent_share;
+        float t36 = (t14 ? light.width : t12) / t35;
+        float t37 = t14 ? t36 : light.width;
+        float t38 = t29 * t37;
+        float t39 = mad(mad(mad(-0.00060778117, t38, 1.0676054e-5), t38, -0.0027203285), t38 * t38 * t38, mad(mad(-0.011332183, t38, -0.10000902), t38, 1.0000001));
+        t26 = t14 ? t34 : t30;
+        t27 = t14 ? t12 : min(0.99999994, max(5.9604645e-8, t36));
+        t28 = t37 * t39;
     }
-    float t41 = spherecap_float_of_bits(mad(spherecap_bits(t28), -0.33333334, 1419900500.0));
-    float t42 = t28 * t41;
-    float t43 = mad(-t42, t41 * t41, 1.0);
-    float t44 = t43 * t43;
-    float t45 = mad(mad(0.12666093, t44, mad(0.14565912, t43, 0.17283025)), t44, mad(0.22221696, t43, 0.33333334));
-    float t46 = t29 * mad(t42 * t43, t45, t42);
-    float t47 = t46 * t30;
-    float t48 = t47 * t47 * t47;
-    float t49 = mad(mad(mad(0.022114987, t47, -0.063446075), t47, 0.085662976), t48, mad(mad(-0.056249518, t47, 0.030445365), t47, 0.0074712755));
-    float t50 = t46 * mad(t49, t48, mad(mad(0.03209764, t47, 0.09996679), t47, 1.0000004));
-    float t51 = t17 ? min(1.0, t50) : t50;
-    float t52 = t30 * t51;
-    float t53 = 2.0 - t52;
-    float t54 = t51 * t53;
-    float t55 = sqrt(t54);
-    float side, t56, t57, t58, t59;
-    if (t17) {
-        float t60 = t25 - t26 < 0.0 ? t52 : t53;
-        if (t6) {
-            float t61 = light.height * (1.0 - t54 * t20);
-            float t62 = sqrt(light.height * (2.0 - t61));
-            t58 = (t60 - 1.0) * t62;
-            float t63 = 1.0 - t61;
-            t57 = mad(light.elevation_sin, t63, light.elevation_cos * t58);
-            t56 = mad(light.elevation_cos, t63, -(light.elevation_sin * t58));
-            side = t55 * t19 * t62;
-            t59 = t57 * light.on_surface;
+    float t40 = spherecap_float_of_bits(mad(spherecap_bits(t27), -0.33333334, 1419900500.0));
+    float t41 = t27 * t40;
+    float t42 = mad(-t41, t40 * t40, 1.0);
+    float t43 = t42 * t42;
+    float t44 = mad(mad(0.12666093, t43, mad(0.14565912, t42, 0.17283025)), t43, mad(0.22221696, t42, 0.33333334));
+    float t45 = t28 * mad(t41 * t42, t44, t41);
+    float t46 = t45 * t29;
+    float t47 = t46 * t46 * t46;
+    float t48 = mad(mad(mad(0.022114987, t46, -0.063446075), t46, 0.085662976), t47, mad(mad(-0.056249518, t46, 0.030445365), t46, 0.0074712755));
+    float t49 = t45 * mad(t48, t47, mad(mad(0.03209764, t46, 0.09996679), t46, 1.0000004));
+    float t50 = t29 * t49;
+    float t51 = 2.0 - t50;
+    float t52 = t49 * t51;
+    float t53 = sqrt(t52);
+    float side, t54, t55, t56, t57;
+    if (t16) {
+        float t58 = t24 - t25 < 0.0 ? t50 : t51;
+        if (t5) {
+            float t59 = light.height * (1.0 - t52 * t19);
+            float t60 = sqrt(light.height * (2.0 - t59));
+            t56 = (t58 - 1.0) * t60;
+            float t61 = 1.0 - t59;
+            t55 = mad(light.elevation_sin, t61, light.elevation_cos * t56);
+            t54 = mad(light.elevation_cos, t61, -(light.elevation_sin * t56));
+            side = t53 * t18 * t60;
+            t57 = t55 * light.on_surface;
         } else {
-            float t64 = 1.0 - t60;
-            float t65 = light.radius_sin * light.radius_sin * t20;
-            float t66 = max(0.0, mad(light.climb, t60, -light.rise));
-            t57 = sqrt(mad(t54, t65, t66 * t66));
-            float t67 = t2 * light.radius_cos;
-            float t68 = light.climb * t64;
-            t58 = mad(light.elevation_cos, mad(t68, t68 - 2.0 * t67, t54 * t65) / (t57 + t67), -(light.half_axis * t2 * t64));
-            t56 = mad(light.half_axis, t64, light.middle);
-            side = light.radius_sin * t55 * t19;
-            t59 = t57;
+            float t62 = 1.0 - t58;
+            float t63 = light.radius_sin * light.radius_sin * t19;
+            float t64 = max(0.0, mad(light.climb, t58, -light.rise));
+            t55 = sqrt(mad(t52, t63, t64 * t64));
+            float t65 = t2 * light.radius_cos;
+            float t66 = light.climb * t62;
+            t56 = mad(light.elevation_cos, mad(t66, t66 - 2.0 * t65, t52 * t63) / (t55 + t65), -(light.half_axis * t2 * t62));
+            t54 = mad(light.half_axis, t62, light.middle);
+            side = light.radius_sin * t53 * t18;
+            t57 = t55;
         }
     } else {
-        t57 = t55 * t27;
-        t56 = 1.0 - t52;
-        side = t55 * t19;
-        t58 = mad(light.elevation_cos, t57, -((t15 ? -t2 : t2) * t56));
-        t59 = t57;
+        t55 = t53 * t26;
+        t54 = 1.0 - t50;
+        side = t53 * t18;
+        t56 = mad(light.elevation_cos, t55, -((t14 ? -t2 : t2) * t54));
+        t57 = t55;
     }
-    float t69 = t9 ? 1.0 : -1.0;
-    float zenith = t58 * t69;
-    float cosine = t59 * t69;
-    float t70 = t57 * t69;
-    float t71 = light.defensive_share * light.inv_solid_angle;
-    float t72 = min(3.4028235e38, abs(cosine));
-    float t73 = 0.0 < cosine ? light.inv_above * light.sides_share : cosine < 0.0 ? light.inv_below * light.sides_rest : 0.0;
-    float t74 = mad(t73, light.defensive_rest, min(3.4028235e38, t71 / max(1.1754944e-38, t72)));
-    float t75 = mad(zenith, zenith, side * side);
-    float t76 = max(0.0, mad(light.radius_sin, light.radius_sin, -t75));
-    float t77 = sqrt(t76);
-    float t78 = sqrt(mad(light.radius_cos, light.radius_cos, t76));
-    float t79 = light.radius_cos * light.radius_cos / (t78 + t77);
-    float t80 = 1.0 / light.radius_sin;
-    float t81 = t79 * t80;
-    float t82 = -mad(t78, t77, t75) * t80;
-    float t83 = t81 * zenith;
-    float t84 = t81 * side;
-    float t85 = mad(light.elevation_cos, t82, -(light.elevation_sin * t83));
-    float t86 = mad(light.elevation_sin, t82, light.elevation_cos * t83);
+    float t67 = t8 ? 1.0 : -1.0;
+    float zenith = t56 * t67;
+    float cosine = t57 * t67;
+    float t68 = t55 * t67;
+    float t69 = min(3.4028235e38, abs(cosine));
+    float t70 = 0.0 < cosine ? light.density_above : cosine < 0.0 ? light.density_below : 0.0;
+    float t71 = min(3.4028235e38, t70 + min(3.4028235e38, light.density / max(1.1754944e-38, t69)));
+    float t72 = mad(zenith, zenith, side * side);
+    float t73 = max(0.0, mad(light.radius_sin, light.radius_sin, -t72));
+    float t74 = sqrt(t73);
+    float t75 = sqrt(mad(light.radius_cos, light.radius_cos, t73));
+    float t76 = light.radius_cos * light.radius_cos / (t75 + t74);
+    float t77 = 1.0 / light.radius_sin;
+    float t78 = t76 * t77;
+    float t79 = -mad(t75, t74, t72) * t77;
+    float t80 = t78 * zenith;
+    float t81 = t78 * side;
+    float t82 = mad(light.elevation_cos, t79, -(light.elevation_sin * t80));
+    float t83 = mad(light.elevation_sin, t79, light.elevation_cos * t80);
     spherecap_sample result = {
-        light.third_axis * t56 + light.sideways * side + light.up * t70, t79 * light.distance,
-        light.third_axis * t85 + light.sideways * t84 + light.up * t86, cosine,
-        t3 ? mad(t73, light.defensive_rest * t72, t71) : t73 * t72, t3 ? min(3.4028235e38, t74) : t73
+        light.third_axis * t54 + light.sideways * side + light.up * t68, t76 * light.distance,
+        light.third_axis * t82 + light.sideways * t81 + light.up * t83, cosine, mad(t70, t69, light.density),
+        t71
     };
     return result;
 }
@@ -1337,12 +1326,10 @@ float spherecap_both_pdf_direction(spherecap_both_light light, float3 direction)
     bool t2 = dot(light.towards_centre, direction) < 0.0;
     float t3 = t2 ? 1.0 : dot(cross(light.towards_centre, light.sideways), direction);
     float t4 = t2 ? 1.0 : dot(light.sideways, direction);
-    float t5 = min(3.4028235e38, abs(t1));
-    float t6 = 0.0 < t1 ? light.inv_above * light.sides_share : t1 < 0.0 ? light.inv_below * light.sides_rest : 0.0;
-    float t7 = mad(t6, light.defensive_rest * t5, light.defensive_share * light.inv_solid_angle);
-    float t8 = mad(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? (0.0 < light.defensive_share ? t7 : t6 * t5) : 0.0;
-    float t9 = dot(direction, direction);
-    return (0.998001 <= t9 && t9 <= 1.002001) ? t8 : 0.0;
+    float t5 = mad(0.0 < t1 ? light.density_above : t1 < 0.0 ? light.density_below : 0.0, min(3.4028235e38, abs(t1)), light.density);
+    float t6 = mad(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019 ? t5 : 0.0;
+    float t7 = dot(direction, direction);
+    return (0.998001 <= t7 && t7 <= 1.002001) ? t6 : 0.0;
 }
 
 float spherecap_both_pdf_on_sphere(spherecap_both_light light, float3 direction) {
@@ -1350,12 +1337,9 @@ float spherecap_both_pdf_on_sphere(spherecap_both_light light, float3 direction)
         return 0.0;
     }
     float t1 = dot(light.normal, direction);
-    float t2 = min(3.4028235e38, abs(t1));
-    float t3 = 0.0 < t1 ? light.inv_above * light.sides_share : t1 < 0.0 ? light.inv_below * light.sides_rest : 0.0;
-    float t4 = mad(t3, light.defensive_rest * t2, light.defensive_share * light.inv_solid_angle);
-    float t5 = dot(direction, direction);
-    float t6 = (0.998001 <= t5 && t5 <= 1.002001) ? (0.0 < light.defensive_share ? t4 : t3 * t2) : 0.0;
-    return t6;
+    float t2 = mad(0.0 < t1 ? light.density_above : t1 < 0.0 ? light.density_below : 0.0, min(3.4028235e38, abs(t1)), light.density);
+    float t3 = dot(direction, direction);
+    return (0.998001 <= t3 && t3 <= 1.002001) ? t2 : 0.0;
 }
 
 float spherecap_both_importance(float3 normal, float3 centre, float radius, float defensive, float strength) {

@@ -90,7 +90,7 @@ struct spherecap_surface_light {
     width: f32,
     cut: f32,
     rise: f32,
-    inv_above: f32,
+    density_above: f32,
     third_axis: vec3f,
     crescent_share: f32,
     inv_rest: f32,
@@ -256,8 +256,8 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
     let sideways = vec3f(t29, t30, t31) * t91;
     let distance = t61 * select(unscale, 1.0, t1);
     let projected_above = select(0.0, t89, 9.403955e-38 < t89 && t90 && t64);
-    let inv_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
-    let t92 = select(0.0, inv_above, t66);
+    let density_above = select(0.0, 1.0 / projected_above, 0.0 < projected_above);
+    let t92 = select(0.0, density_above, t66);
     let t93 = t65 && t66 && 0.0 < t92;
     let t94 = t_y * t_y * t_y * shape * t92;
     let t95 = t_y / radius_sin;
@@ -304,12 +304,12 @@ fn spherecap_surface_prepare(normal: vec3f, centre: vec3f, radius: f32) -> spher
         b_5 = t121 - t120;
         b_6 = -t121;
     }
-    let t122 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < inv_above;
+    let t122 = 0.0 < radius && distance <= 3.4028235e38 && 0.0 < density_above;
     let t123 = select(0.0, t88 / (1.0 + radius_cos), 0.0 < radius_cos && t90) * 6.2831855;
     return spherecap_surface_light(
         t122, select(0.0, t123, t122), select(0.0, projected_above, t122), towards_centre, sideways, normal,
         distance, radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise,
-        inv_above, cross(sideways, normal), select(0.0, t94, t93), select(1.0, 1.0 / (1.0 - t94), t93),
+        density_above, cross(sideways, normal), select(0.0, t94, t93), select(1.0, 1.0 / (1.0 - t94), t93),
         beyond, elevation_cos * radius_cos, radius_sin * t87, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
@@ -368,32 +368,32 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     let t38 = t37 * t37 * t37;
     let t39 = fma(fma(fma(0.022114987, t37, -0.063446075), t37, 0.085662976), t38, fma(fma(-0.056249518, t37, 0.030445365), t37, 0.0074712755));
     let t40 = t36 * fma(t39, t38, fma(fma(0.03209764, t37, 0.09996679), t37, 1.0000004));
-    let t41 = select(t40, min(1.0, t40), t7);
-    let t42 = t20 * t41;
-    let t43 = 2.0 - t42;
-    let t44 = t41 * t43;
-    let t45 = sqrt(t44);
+    let t41 = t20 * t40;
+    let t42 = 2.0 - t41;
+    let t43 = t40 * t42;
+    let t44 = sqrt(t43);
     var zenith: f32;
     var side: f32;
     var cosine: f32;
-    var t46: f32;
+    var t45: f32;
     if (t7) {
-        let t47 = select(t43, t42, t15 - t16 < 0.0);
-        let t48 = 1.0 - t47;
-        let t49 = light.radius_sin * light.radius_sin * t10;
-        let t50 = max(0.0, fma(light.climb, t47, -light.rise));
-        cosine = sqrt(fma(t44, t49, t50 * t50));
-        let t51 = t1 * light.radius_cos;
-        let t52 = light.climb * t48;
-        zenith = fma(light.elevation_cos, fma(t52, t52 - 2.0 * t51, t44 * t49) / (cosine + t51), -(light.half_axis * t1 * t48));
-        side = light.radius_sin * t45 * t9;
-        t46 = fma(light.half_axis, t48, light.middle);
+        let t46 = select(t42, t41, t15 - t16 < 0.0);
+        let t47 = 1.0 - t46;
+        let t48 = light.radius_sin * light.radius_sin * t10;
+        let t49 = max(0.0, fma(light.climb, t46, -light.rise));
+        cosine = sqrt(fma(t43, t48, t49 * t49));
+        let t50 = t1 * light.radius_cos;
+        let t51 = light.climb * t47;
+        zenith = fma(light.elevation_cos, fma(t51, t51 - 2.0 * t50, t43 * t48) / (cosine + t50), -(light.half_axis * t1 * t47));
+        side = light.radius_sin * t44 * t9;
+        t45 = fma(light.half_axis, t47, light.middle);
     } else {
-        cosine = t45 * t17;
-        t46 = 1.0 - t42;
-        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t5) * t46));
-        side = t45 * t9;
+        cosine = t44 * t17;
+        t45 = 1.0 - t41;
+        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t5) * t45));
+        side = t44 * t9;
     }
+    let t52 = min(3.4028235e38, 0.0 / max(1.1754944e-38, min(3.4028235e38, abs(cosine))));
     let t53 = fma(zenith, zenith, side * side);
     let t54 = max(0.0, fma(light.radius_sin, light.radius_sin, -t53));
     let t55 = sqrt(t54);
@@ -407,9 +407,10 @@ fn spherecap_surface_sample(light: spherecap_surface_light, u0: f32, u1: f32) ->
     let t63 = fma(light.elevation_cos, t60, -(light.elevation_sin * t61));
     let t64 = fma(light.elevation_sin, t60, light.elevation_cos * t61);
     return spherecap_sample(
-        light.third_axis * t46 + light.sideways * side + light.normal * cosine, t57 * light.distance,
+        light.third_axis * t45 + light.sideways * side + light.normal * cosine, t57 * light.distance,
         light.third_axis * t63 + light.sideways * t62 + light.normal * t64, cosine,
-        light.inv_above * min(3.4028235e38, max(0.0, cosine)), select(0.0, light.inv_above, 0.0 < cosine)
+        light.density_above * min(3.4028235e38, max(0.0, cosine)),
+        min(3.4028235e38, select(0.0, light.density_above, 0.0 < cosine) + t52)
     );
 }
 
@@ -424,7 +425,7 @@ fn spherecap_surface_pdf_direction(light: spherecap_surface_light, direction: ve
     let t1 = dot(light.towards_centre, direction) < 0.0;
     let t2 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t1);
     let t3 = select(dot(light.sideways, direction), 1.0, t1);
-    let t4 = light.inv_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    let t4 = light.density_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
     let t5 = select(0.0, t4, fma(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019);
     let t6 = dot(direction, direction);
     return select(0.0, t5, 0.998001 <= t6 && t6 <= 1.002001);
@@ -434,7 +435,7 @@ fn spherecap_surface_pdf_on_sphere(light: spherecap_surface_light, direction: ve
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = light.inv_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
+    let t1 = light.density_above * min(3.4028235e38, max(0.0, dot(light.normal, direction)));
     let t2 = dot(direction, direction);
     return select(0.0, t1, 0.998001 <= t2 && t2 <= 1.002001);
 }
@@ -485,13 +486,12 @@ struct spherecap_front_light {
     width: f32,
     cut: f32,
     rise: f32,
-    share: f32,
-    rest: f32,
+    defensive: f32,
     requested: f32,
-    inv_above: f32,
+    density_above: f32,
     third_axis: vec3f,
     height: f32,
-    inv_solid_angle: f32,
+    density: f32,
     crescent_share: f32,
     inv_rest: f32,
     beyond: f32,
@@ -691,12 +691,12 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     let distance = t73 * select(unscale, 1.0, t8);
     let projected_above = select(0.0, t101, 9.403955e-38 < t101 && t102 && t76);
     let t104 = 0.0 < projected_above;
-    let inv_above = select(0.0, 1.0 / projected_above, t104);
-    let t105 = select(0.0, inv_above, t78);
-    let t106 = t77 && t78 && 0.0 < t105;
-    let t107 = t_y * t_y * t_y * shape * t105;
-    let t108 = t_y / radius_sin;
-    let t109 = t108 * t108 * t108 * (fma(cut - t_x, shape_difference, shape) * 0.53033006);
+    let t105 = select(0.0, 1.0 / projected_above, t104);
+    let t106 = select(0.0, t105, t78);
+    let t107 = t77 && t78 && 0.0 < t106;
+    let t108 = t_y * t_y * t_y * shape * t106;
+    let t109 = t_y / radius_sin;
+    let t110 = t109 * t109 * t109 * (fma(cut - t_x, shape_difference, shape) * 0.53033006);
     var b_0 = 0.0;
     var b_1 = 0.0;
     var b_2 = 0.0;
@@ -705,55 +705,55 @@ fn spherecap_front_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive:
     var b_5 = 0.0;
     var b_6 = 0.0;
     if (t77 && !t78) {
-        let t110 = 1.0 + kappa;
-        let t111 = t110 * shape;
-        let t112 = 1.0 / (norm * t111);
-        let t113 = sqrt(t112);
-        b_0 = norm * t113;
-        let t114 = 1.0 / (1.0 + cut);
-        let t115 = (t_x + kappa) * t114 - 0.5;
-        let t116 = t115 * t115 * t115;
-        let t117 = fma(fma(fma(-0.026061837, t115, 0.05430631), t115, -0.06372378), t116, fma(fma(0.080950715, t115, -0.11762552), t115, 0.1684019));
-        let t118 = fma(t117, t116, fma(fma(-0.23594604, t115, 0.32709444), t115, -0.44721135));
-        let t119 = t110 * fma(t118, t116, fma(fma(0.5987523, t115, -0.7754678), t115, 0.94559944));
-        let t120 = t119 * (t114 * t114 * t114) * (t111 * t112);
-        let t121 = fma(t120, t111 * t113, -1.0);
-        let t122 = 1.0 - t120;
-        let t123 = fma(fma(30.011856, t121, fma(-41.541264, t122, -37.009792)), t121, fma(77.96775, t122, 7.470758));
-        let t124 = fma(fma(fma(15.716111 * t122, t122, 9.961183), t122, -2.61785), t122, 0.8681748);
-        let t125 = fma(fma(t123, t121, fma(fma(-49.13454, t122, -9.466533), t122, -1.5877596)), t121, t124);
-        let t126 = t121 * t125;
-        let t127 = fma(fma(7.295638, t121, -7.236236), t121, fma(-11.4868555 * t122 * t122, t122, 3.1255686));
-        let t128 = fma(fma(fma(13.728438, t122, -7.981878), t122, 2.025724), t122, -0.7334958);
-        let t129 = t121 * fma(t127, t121, t128);
-        let t130 = fma(fma(-23.220068, t122, 7.332055), t121, fma(fma(9.986537, t122, 25.22195) * t122, t122, -2.9581387));
-        let t131 = fma(fma(fma(-19.722994, t122, 4.6594768), t122, -0.89538246), t122, 0.5143498);
-        let t132 = t121 * fma(t130, t121, t131);
-        let t133 = fma(fma(fma(1.946617, t121, -3.077631), t121, 1.4945927), t121, -0.24140751);
-        let t134 = t121 * t133;
-        let t135 = t121 * fma(fma(0.38173297, t121, -0.30305624), t121, 0.05897375);
-        b_1 = t120 - b_0 + t126;
-        b_2 = t129 - t126;
-        b_3 = t132 - t129;
-        b_4 = t134 - t132;
-        b_5 = t135 - t134;
-        b_6 = -t135;
+        let t111 = 1.0 + kappa;
+        let t112 = t111 * shape;
+        let t113 = 1.0 / (norm * t112);
+        let t114 = sqrt(t113);
+        b_0 = norm * t114;
+        let t115 = 1.0 / (1.0 + cut);
+        let t116 = (t_x + kappa) * t115 - 0.5;
+        let t117 = t116 * t116 * t116;
+        let t118 = fma(fma(fma(-0.026061837, t116, 0.05430631), t116, -0.06372378), t117, fma(fma(0.080950715, t116, -0.11762552), t116, 0.1684019));
+        let t119 = fma(t118, t117, fma(fma(-0.23594604, t116, 0.32709444), t116, -0.44721135));
+        let t120 = t111 * fma(t119, t117, fma(fma(0.5987523, t116, -0.7754678), t116, 0.94559944));
+        let t121 = t120 * (t115 * t115 * t115) * (t112 * t113);
+        let t122 = fma(t121, t112 * t114, -1.0);
+        let t123 = 1.0 - t121;
+        let t124 = fma(fma(30.011856, t122, fma(-41.541264, t123, -37.009792)), t122, fma(77.96775, t123, 7.470758));
+        let t125 = fma(fma(fma(15.716111 * t123, t123, 9.961183), t123, -2.61785), t123, 0.8681748);
+        let t126 = fma(fma(t124, t122, fma(fma(-49.13454, t123, -9.466533), t123, -1.5877596)), t122, t125);
+        let t127 = t122 * t126;
+        let t128 = fma(fma(7.295638, t122, -7.236236), t122, fma(-11.4868555 * t123 * t123, t123, 3.1255686));
+        let t129 = fma(fma(fma(13.728438, t123, -7.981878), t123, 2.025724), t123, -0.7334958);
+        let t130 = t122 * fma(t128, t122, t129);
+        let t131 = fma(fma(-23.220068, t123, 7.332055), t122, fma(fma(9.986537, t123, 25.22195) * t123, t123, -2.9581387));
+        let t132 = fma(fma(fma(-19.722994, t123, 4.6594768), t123, -0.89538246), t123, 0.5143498);
+        let t133 = t122 * fma(t131, t122, t132);
+        let t134 = fma(fma(fma(1.946617, t122, -3.077631), t122, 1.4945927), t122, -0.24140751);
+        let t135 = t122 * t134;
+        let t136 = t122 * fma(fma(0.38173297, t122, -0.30305624), t122, 0.05897375);
+        b_1 = t121 - b_0 + t127;
+        b_2 = t130 - t127;
+        b_3 = t133 - t130;
+        b_4 = t135 - t133;
+        b_5 = t136 - t135;
+        b_6 = -t136;
     }
-    let share = select(defensive, 1.0, (0.0 < defensive || !(0.0 < on_surface)) && !t104);
-    let t136 = 0.0 < share;
-    let t137 = select(0.0, t100 / (1.0 + radius_cos), 0.0 < radius_cos && t102);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t137, 0.0 < t137), t136);
-    let t138 = 0.0 < inv_solid_angle && t136;
-    let t139 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (0.0 < inv_above || t138);
+    let t137 = select(defensive, 1.0, (0.0 < defensive || !(0.0 < on_surface)) && !t104);
+    let t138 = 0.0 < t137;
+    let t139 = select(0.0, t100 / (1.0 + radius_cos), 0.0 < radius_cos && t102);
+    let density = select(0.0, t137 * select(0.0, 0.15915494 / t139, 0.0 < t139), t138);
+    let density_above = t105 * (1.0 - t137);
+    let t140 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && 0.0 < density_above + 0.0 + density;
     return spherecap_front_light(
-        t139, select(0.0, t137 * 6.2831855, t139), select(0.0, projected_above, t139), towards_centre,
+        t140, select(0.0, t139 * 6.2831855, t140), select(0.0, projected_above, t140), towards_centre,
         sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share,
-        1.0 - share, defensive, inv_above,
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t137, defensive,
+        density_above,
         vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        select(0.0, t137, t136), inv_solid_angle, select(0.0, t107, t106),
-        select(1.0, 1.0 / (1.0 - t107), t106), select(0.0, t109, t106), elevation_cos * radius_cos,
-        radius_sin * t99, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
+        select(0.0, t139, t138), density, select(0.0, t108, t107), select(1.0, 1.0 / (1.0 - t108), t107),
+        select(0.0, t110, t107), elevation_cos * radius_cos, radius_sin * t99, climb, b_0, b_1, b_2, b_3,
+        b_4, b_5, b_6
     );
 }
 
@@ -762,120 +762,115 @@ fn spherecap_front_sample(light: spherecap_front_light, u0: f32, u1: f32) -> sph
         return spherecap_no_sample();
     }
     let t1 = abs(light.elevation_sin);
-    let t2 = 0.0 < light.share;
-    let t3 = min(0.99999994, max(5.9604645e-8, u0));
-    let t4 = min(0.99999994, max(5.9604645e-8, u1));
-    let t5 = t3 < light.share && t2;
-    let t6 = max(5.9604645e-8, select(t3 - light.share, t3, t5) / select(light.rest, light.share, t5));
-    let t7 = select(t3, min(0.99999994, t6), 0.0 < light.requested && t2);
-    let t8 = !(0.0 < light.tau) || t5;
-    let t9 = !(0.0 < light.elevation_sin) && !t8;
-    let t10 = light.crescent_share <= t7 && !t9;
-    let t11 = t8 || t10;
-    let t12 = 1.0 - t4;
-    let t13 = t4 - t12;
-    let t14 = 4.0 * t4 * t12;
-    let t15 = min(0.99999994, max(5.9604645e-8, (t7 - light.crescent_share) * light.inv_rest));
-    let t16 = select(t15, t7, t8);
-    let t17 = select(light.beyond, 0.0, t8);
-    let t18 = 1.6660811 - t17;
-    let t19 = fma(t16, t18, t17);
-    let t20 = (1.0 - t16) * t18;
+    let t2 = min(0.99999994, max(5.9604645e-8, u0));
+    let t3 = min(0.99999994, max(5.9604645e-8, u1));
+    let t4 = t2 < light.defensive;
+    let t5 = select(t2 - light.defensive, t2, t4) / select(1.0 - light.defensive, light.defensive, t4);
+    let t6 = select(t2, min(0.99999994, max(5.9604645e-8, t5)), 0.0 < light.requested);
+    let t7 = !(0.0 < light.tau) || t4;
+    let t8 = !(0.0 < light.elevation_sin) && !t7;
+    let t9 = light.crescent_share <= t6 && !t8;
+    let t10 = t7 || t9;
+    let t11 = 1.0 - t3;
+    let t12 = t3 - t11;
+    let t13 = 4.0 * t3 * t11;
+    let t14 = min(0.99999994, max(5.9604645e-8, (t6 - light.crescent_share) * light.inv_rest));
+    let t15 = select(t14, t6, t7);
+    let t16 = select(light.beyond, 0.0, t7);
+    let t17 = 1.6660811 - t16;
+    let t18 = fma(t15, t17, t16);
+    let t19 = (1.0 - t15) * t17;
+    var t21: f32;
     var t22: f32;
     var t23: f32;
-    var t24: f32;
-    var t21 = 0.0;
-    if (t11) {
-        t22 = min(t20, t19);
+    var t20 = 0.0;
+    if (t10) {
+        t21 = min(t19, t18);
+        t22 = 1.0;
         t23 = 1.0;
-        t24 = 1.0;
     } else {
-        let t25 = sqrt(t14);
-        let t26 = fma(fma(fma(light.b_5, t14, light.b_3), t14, light.b_1), t25, fma(fma(fma(light.b_6, t14, light.b_4), t14, light.b_2), t14, light.b_0));
-        let t27 = t25 * t26;
-        let t28 = sqrt(fma(t13, t13, t27 * t27));
-        let t29 = light.tau * t27;
-        t24 = select(1.0, fma(t13, t13, t29 * t29), t9);
-        let t30 = select(light.crescent_share, fma(light.kappa, t27, t28) * fma(light.cut, t27, t28), t9);
-        let t31 = select(t7, light.width, t9) / t30;
-        let t32 = select(light.width, t31, t9);
-        let t33 = t24 * t32;
-        let t34 = fma(fma(fma(-0.00060778117, t33, 1.0676054e-5), t33, -0.0027203285), t33 * t33 * t33, fma(fma(-0.011332183, t33, -0.10000902), t33, 1.0000001));
-        t21 = select(t25, t29, t9);
-        t22 = select(min(0.99999994, max(5.9604645e-8, t31)), t7, t9);
-        t23 = t32 * t34;
+        let t24 = sqrt(t13);
+        let t25 = fma(fma(fma(light.b_5, t13, light.b_3), t13, light.b_1), t24, fma(fma(fma(light.b_6, t13, light.b_4), t13, light.b_2), t13, light.b_0));
+        let t26 = t24 * t25;
+        let t27 = sqrt(fma(t12, t12, t26 * t26));
+        let t28 = light.tau * t26;
+        t23 = select(1.0, fma(t12, t12, t28 * t28), t8);
+        let t29 = select(light.crescent_share, fma(light.kappa, t26, t27) * fma(light.cut, t26, t27), t8);
+        let t30 = select(t6, light.width, t8) / t29;
+        let t31 = select(light.width, t30, t8);
+        let t32 = t23 * t31;
+        let t33 = fma(fma(fma(-0.00060778117, t32, 1.0676054e-5), t32, -0.0027203285), t32 * t32 * t32, fma(fma(-0.011332183, t32, -0.10000902), t32, 1.0000001));
+        t20 = select(t24, t28, t8);
+        t21 = select(min(0.99999994, max(5.9604645e-8, t30)), t6, t8);
+        t22 = t31 * t33;
     }
-    let t35 = spherecap_float_of_bits(fma(spherecap_bits(t22), -0.33333334, 1419900500.0));
-    let t36 = t22 * t35;
-    let t37 = fma(-t36, t35 * t35, 1.0);
-    let t38 = t37 * t37;
-    let t39 = fma(fma(0.12666093, t38, fma(0.14565912, t37, 0.17283025)), t38, fma(0.22221696, t37, 0.33333334));
-    let t40 = t23 * fma(t36 * t37, t39, t36);
-    let t41 = t40 * t24;
-    let t42 = t41 * t41 * t41;
-    let t43 = fma(fma(fma(0.022114987, t41, -0.063446075), t41, 0.085662976), t42, fma(fma(-0.056249518, t41, 0.030445365), t41, 0.0074712755));
-    let t44 = t40 * fma(t43, t42, fma(fma(0.03209764, t41, 0.09996679), t41, 1.0000004));
-    let t45 = select(t44, min(1.0, t44), t11);
-    let t46 = t24 * t45;
-    let t47 = 2.0 - t46;
-    let t48 = t45 * t47;
-    let t49 = sqrt(t48);
+    let t34 = spherecap_float_of_bits(fma(spherecap_bits(t21), -0.33333334, 1419900500.0));
+    let t35 = t21 * t34;
+    let t36 = fma(-t35, t34 * t34, 1.0);
+    let t37 = t36 * t36;
+    let t38 = fma(fma(0.12666093, t37, fma(0.14565912, t36, 0.17283025)), t37, fma(0.22221696, t36, 0.33333334));
+    let t39 = t22 * fma(t35 * t36, t38, t35);
+    let t40 = t39 * t23;
+    let t41 = t40 * t40 * t40;
+    let t42 = fma(fma(fma(0.022114987, t40, -0.063446075), t40, 0.085662976), t41, fma(fma(-0.056249518, t40, 0.030445365), t40, 0.0074712755));
+    let t43 = t39 * fma(t42, t41, fma(fma(0.03209764, t40, 0.09996679), t40, 1.0000004));
+    let t44 = t23 * t43;
+    let t45 = 2.0 - t44;
+    let t46 = t43 * t45;
+    let t47 = sqrt(t46);
     var zenith: f32;
     var side: f32;
     var cosine: f32;
-    var t50: f32;
-    var t51: f32;
-    if (t11) {
-        let t52 = select(t47, t46, t19 - t20 < 0.0);
-        if (t5) {
-            let t53 = light.height * (1.0 - t48 * t14);
-            let t54 = sqrt(light.height * (2.0 - t53));
-            zenith = (t52 - 1.0) * t54;
-            let t55 = 1.0 - t53;
-            t51 = fma(light.elevation_sin, t55, light.elevation_cos * zenith);
-            t50 = fma(light.elevation_cos, t55, -(light.elevation_sin * zenith));
-            side = t49 * t13 * t54;
-            cosine = t51 * light.on_surface;
+    var t48: f32;
+    var t49: f32;
+    if (t10) {
+        let t50 = select(t45, t44, t18 - t19 < 0.0);
+        if (t4) {
+            let t51 = light.height * (1.0 - t46 * t13);
+            let t52 = sqrt(light.height * (2.0 - t51));
+            zenith = (t50 - 1.0) * t52;
+            let t53 = 1.0 - t51;
+            t49 = fma(light.elevation_sin, t53, light.elevation_cos * zenith);
+            t48 = fma(light.elevation_cos, t53, -(light.elevation_sin * zenith));
+            side = t47 * t12 * t52;
+            cosine = t49 * light.on_surface;
         } else {
-            let t56 = 1.0 - t52;
-            let t57 = light.radius_sin * light.radius_sin * t14;
-            let t58 = max(0.0, fma(light.climb, t52, -light.rise));
-            t51 = sqrt(fma(t48, t57, t58 * t58));
-            let t59 = t1 * light.radius_cos;
-            let t60 = light.climb * t56;
-            zenith = fma(light.elevation_cos, fma(t60, t60 - 2.0 * t59, t48 * t57) / (t51 + t59), -(light.half_axis * t1 * t56));
-            t50 = fma(light.half_axis, t56, light.middle);
-            side = light.radius_sin * t49 * t13;
-            cosine = t51;
+            let t54 = 1.0 - t50;
+            let t55 = light.radius_sin * light.radius_sin * t13;
+            let t56 = max(0.0, fma(light.climb, t50, -light.rise));
+            t49 = sqrt(fma(t46, t55, t56 * t56));
+            let t57 = t1 * light.radius_cos;
+            let t58 = light.climb * t54;
+            zenith = fma(light.elevation_cos, fma(t58, t58 - 2.0 * t57, t46 * t55) / (t49 + t57), -(light.half_axis * t1 * t54));
+            t48 = fma(light.half_axis, t54, light.middle);
+            side = light.radius_sin * t47 * t12;
+            cosine = t49;
         }
     } else {
-        cosine = t49 * t21;
-        t50 = 1.0 - t46;
-        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t9) * t50));
-        side = t49 * t13;
-        t51 = cosine;
+        cosine = t47 * t20;
+        t48 = 1.0 - t44;
+        zenith = fma(light.elevation_cos, cosine, -(select(t1, -t1, t8) * t48));
+        side = t47 * t12;
+        t49 = cosine;
     }
-    let t61 = light.share * light.inv_solid_angle;
-    let t62 = select(0.0, light.inv_above, 0.0 < cosine);
-    let t63 = min(3.4028235e38, max(0.0, cosine));
-    let t64 = select(light.inv_above * t63, fma(light.inv_above, light.rest * t63, t61), t2);
-    let t65 = min(3.4028235e38, t61 / max(1.1754944e-38, min(3.4028235e38, abs(cosine))));
-    let t66 = fma(zenith, zenith, side * side);
-    let t67 = max(0.0, fma(light.radius_sin, light.radius_sin, -t66));
-    let t68 = sqrt(t67);
-    let t69 = sqrt(fma(light.radius_cos, light.radius_cos, t67));
-    let t70 = light.radius_cos * light.radius_cos / (t69 + t68);
-    let t71 = 1.0 / light.radius_sin;
-    let t72 = t70 * t71;
-    let t73 = -fma(t69, t68, t66) * t71;
-    let t74 = t72 * zenith;
-    let t75 = t72 * side;
-    let t76 = fma(light.elevation_cos, t73, -(light.elevation_sin * t74));
-    let t77 = fma(light.elevation_sin, t73, light.elevation_cos * t74);
+    let t59 = fma(light.density_above, min(3.4028235e38, max(0.0, cosine)), light.density);
+    let t60 = min(3.4028235e38, light.density / max(1.1754944e-38, min(3.4028235e38, abs(cosine))));
+    let t61 = fma(zenith, zenith, side * side);
+    let t62 = max(0.0, fma(light.radius_sin, light.radius_sin, -t61));
+    let t63 = sqrt(t62);
+    let t64 = sqrt(fma(light.radius_cos, light.radius_cos, t62));
+    let t65 = light.radius_cos * light.radius_cos / (t64 + t63);
+    let t66 = 1.0 / light.radius_sin;
+    let t67 = t65 * t66;
+    let t68 = -fma(t64, t63, t61) * t66;
+    let t69 = t67 * zenith;
+    let t70 = t67 * side;
+    let t71 = fma(light.elevation_cos, t68, -(light.elevation_sin * t69));
+    let t72 = fma(light.elevation_sin, t68, light.elevation_cos * t69);
     return spherecap_sample(
-        light.third_axis * t50 + light.sideways * side + light.up * t51, t70 * light.distance,
-        light.third_axis * t76 + light.sideways * t75 + light.up * t77, cosine, t64,
-        select(t62, min(3.4028235e38, fma(t62, light.rest, t65)), t2)
+        light.third_axis * t48 + light.sideways * side + light.up * t49, t65 * light.distance,
+        light.third_axis * t71 + light.sideways * t70 + light.up * t72, cosine, t59,
+        min(3.4028235e38, select(0.0, light.density_above, 0.0 < cosine) + t60)
     );
 }
 
@@ -890,22 +885,19 @@ fn spherecap_front_pdf_direction(light: spherecap_front_light, direction: vec3f)
     let t1 = dot(light.towards_centre, direction) < 0.0;
     let t2 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t1);
     let t3 = select(dot(light.sideways, direction), 1.0, t1);
-    let t4 = min(3.4028235e38, max(0.0, dot(light.normal, direction)));
-    let t5 = fma(light.inv_above, light.rest * t4, light.share * light.inv_solid_angle);
-    let t6 = select(0.0, select(light.inv_above * t4, t5, 0.0 < light.share), fma(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t7 = dot(direction, direction);
-    return select(0.0, t6, 0.998001 <= t7 && t7 <= 1.002001);
+    let t4 = fma(light.density_above, min(3.4028235e38, max(0.0, dot(light.normal, direction))), light.density);
+    let t5 = select(0.0, t4, fma(t2, t2, t3 * t3) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t6 = dot(direction, direction);
+    return select(0.0, t5, 0.998001 <= t6 && t6 <= 1.002001);
 }
 
 fn spherecap_front_pdf_on_sphere(light: spherecap_front_light, direction: vec3f) -> f32 {
     if (!light.is_sampled) {
         return 0.0;
     }
-    let t1 = min(3.4028235e38, max(0.0, dot(light.normal, direction)));
-    let t2 = fma(light.inv_above, light.rest * t1, light.share * light.inv_solid_angle);
-    let t3 = dot(direction, direction);
-    let t4 = select(0.0, select(light.inv_above * t1, t2, 0.0 < light.share), 0.998001 <= t3 && t3 <= 1.002001);
-    return t4;
+    let t1 = fma(light.density_above, min(3.4028235e38, max(0.0, dot(light.normal, direction))), light.density);
+    let t2 = dot(direction, direction);
+    return select(0.0, t1, 0.998001 <= t2 && t2 <= 1.002001);
 }
 
 fn spherecap_front_importance(normal: vec3f, centre: vec3f, radius: f32, defensive: f32, strength: f32) -> f32 {
@@ -972,16 +964,14 @@ struct spherecap_both_light {
     width: f32,
     cut: f32,
     rise: f32,
-    defensive_share: f32,
-    defensive_rest: f32,
+    defensive: f32,
     requested: f32,
-    inv_above: f32,
-    inv_below: f32,
-    sides_share: f32,
-    sides_rest: f32,
+    above: f32,
+    density_above: f32,
+    density_below: f32,
     third_axis: vec3f,
     height: f32,
-    inv_solid_angle: f32,
+    density: f32,
     crescent_share: f32,
     inv_rest: f32,
     beyond: f32,
@@ -1186,13 +1176,13 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     let projected_below = select(0.0, t103, 9.403955e-38 < t103 && t105);
     let t107 = 0.0 < projected_above;
     let t108 = 0.0 < projected_below;
-    let inv_above = select(0.0, 1.0 / projected_above, t107);
-    let inv_below = select(0.0, 1.0 / projected_below, t108);
-    let t109 = select(inv_below, inv_above, t78);
-    let t110 = 0.0 < t109 && t77;
-    let t111 = t_y * t_y * t_y * shape * t109;
-    let t112 = t_y / radius_sin;
-    let t113 = fma(cut - t_x, shape_difference, shape);
+    let t109 = select(0.0, 1.0 / projected_above, t107);
+    let t110 = select(0.0, 1.0 / projected_below, t108);
+    let t111 = select(t110, t109, t78);
+    let t112 = 0.0 < t111 && t77;
+    let t113 = t_y * t_y * t_y * shape * t111;
+    let t114 = t_y / radius_sin;
+    let t115 = fma(cut - t_x, shape_difference, shape);
     var b_0 = 0.0;
     var b_1 = 0.0;
     var b_2 = 0.0;
@@ -1201,81 +1191,83 @@ fn spherecap_both_prepare(normal: vec3f, centre: vec3f, radius: f32, defensive: 
     var b_5 = 0.0;
     var b_6 = 0.0;
     if (t77) {
-        let t114 = 1.0 + kappa;
-        let t115 = t114 * shape;
-        let t116 = 1.0 / (norm * t115);
-        let t117 = sqrt(t116);
-        b_0 = norm * t117;
-        let t118 = 1.0 / (1.0 + cut);
-        let t119 = (t_x + kappa) * t118 - 0.5;
-        let t120 = t119 * t119 * t119;
-        let t121 = fma(fma(fma(-0.026061837, t119, 0.05430631), t119, -0.06372378), t120, fma(fma(0.080950715, t119, -0.11762552), t119, 0.1684019));
-        let t122 = fma(t121, t120, fma(fma(-0.23594604, t119, 0.32709444), t119, -0.44721135));
-        let t123 = t114 * fma(t122, t120, fma(fma(0.5987523, t119, -0.7754678), t119, 0.94559944));
-        let t124 = t123 * (t118 * t118 * t118) * (t115 * t116);
-        let t125 = fma(t124, t115 * t117, -1.0);
-        let t126 = 1.0 - t124;
-        let t127 = fma(fma(30.011856, t125, fma(-41.541264, t126, -37.009792)), t125, fma(77.96775, t126, 7.470758));
-        let t128 = fma(fma(fma(15.716111 * t126, t126, 9.961183), t126, -2.61785), t126, 0.8681748);
-        let t129 = fma(fma(t127, t125, fma(fma(-49.13454, t126, -9.466533), t126, -1.5877596)), t125, t128);
-        let t130 = t125 * t129;
-        let t131 = fma(fma(7.295638, t125, -7.236236), t125, fma(-11.4868555 * t126 * t126, t126, 3.1255686));
-        let t132 = fma(fma(fma(13.728438, t126, -7.981878), t126, 2.025724), t126, -0.7334958);
-        let t133 = t125 * fma(t131, t125, t132);
-        let t134 = fma(fma(-23.220068, t126, 7.332055), t125, fma(fma(9.986537, t126, 25.22195) * t126, t126, -2.9581387));
-        let t135 = fma(fma(fma(-19.722994, t126, 4.6594768), t126, -0.89538246), t126, 0.5143498);
-        let t136 = t125 * fma(t134, t125, t135);
-        let t137 = fma(fma(fma(1.946617, t125, -3.077631), t125, 1.4945927), t125, -0.24140751);
-        let t138 = t125 * t137;
-        let t139 = t125 * fma(fma(0.38173297, t125, -0.30305624), t125, 0.05897375);
-        b_1 = t124 - b_0 + t130;
-        b_2 = t133 - t130;
-        b_3 = t136 - t133;
-        b_4 = t138 - t136;
-        b_5 = t139 - t138;
-        b_6 = -t139;
+        let t116 = 1.0 + kappa;
+        let t117 = t116 * shape;
+        let t118 = 1.0 / (norm * t117);
+        let t119 = sqrt(t118);
+        b_0 = norm * t119;
+        let t120 = 1.0 / (1.0 + cut);
+        let t121 = (t_x + kappa) * t120 - 0.5;
+        let t122 = t121 * t121 * t121;
+        let t123 = fma(fma(fma(-0.026061837, t121, 0.05430631), t121, -0.06372378), t122, fma(fma(0.080950715, t121, -0.11762552), t121, 0.1684019));
+        let t124 = fma(t123, t122, fma(fma(-0.23594604, t121, 0.32709444), t121, -0.44721135));
+        let t125 = t116 * fma(t124, t122, fma(fma(0.5987523, t121, -0.7754678), t121, 0.94559944));
+        let t126 = t125 * (t120 * t120 * t120) * (t117 * t118);
+        let t127 = fma(t126, t117 * t119, -1.0);
+        let t128 = 1.0 - t126;
+        let t129 = fma(fma(30.011856, t127, fma(-41.541264, t128, -37.009792)), t127, fma(77.96775, t128, 7.470758));
+        let t130 = fma(fma(fma(15.716111 * t128, t128, 9.961183), t128, -2.61785), t128, 0.8681748);
+        let t131 = fma(fma(t129, t127, fma(fma(-49.13454, t128, -9.466533), t128, -1.5877596)), t127, t130);
+        let t132 = t127 * t131;
+        let t133 = fma(fma(7.295638, t127, -7.236236), t127, fma(-11.4868555 * t128 * t128, t128, 3.1255686));
+        let t134 = fma(fma(fma(13.728438, t128, -7.981878), t128, 2.025724), t128, -0.7334958);
+        let t135 = t127 * fma(t133, t127, t134);
+        let t136 = fma(fma(-23.220068, t128, 7.332055), t127, fma(fma(9.986537, t128, 25.22195) * t128, t128, -2.9581387));
+        let t137 = fma(fma(fma(-19.722994, t128, 4.6594768), t128, -0.89538246), t128, 0.5143498);
+        let t138 = t127 * fma(t136, t127, t137);
+        let t139 = fma(fma(fma(1.946617, t127, -3.077631), t127, 1.4945927), t127, -0.24140751);
+        let t140 = t127 * t139;
+        let t141 = t127 * fma(fma(0.38173297, t127, -0.30305624), t127, 0.05897375);
+        b_1 = t126 - b_0 + t132;
+        b_2 = t135 - t132;
+        b_3 = t138 - t135;
+        b_4 = t140 - t138;
+        b_5 = t141 - t140;
+        b_6 = -t141;
     }
-    let defensive_share = select(defensive, 1.0, !(t107 || t108) && (0.0 < defensive || !(0.0 < on_surface)));
-    let t140 = 0.0 < defensive_share;
-    let t141 = select(0.0, t100 / (1.0 + radius_cos), 0.0 < radius_cos && t104);
-    let inv_solid_angle = select(0.0, select(0.0, 0.15915494 / t141, 0.0 < t141), t140);
-    var t142 = 0.0;
+    let t142 = select(defensive, 1.0, !(t107 || t108) && (0.0 < defensive || !(0.0 < on_surface)));
+    let t143 = 0.0 < t142;
+    let t144 = select(0.0, t100 / (1.0 + radius_cos), 0.0 < radius_cos && t104);
+    let density = select(0.0, t142 * select(0.0, 0.15915494 / t144, 0.0 < t144), t143);
+    let t145 = 1.0 - t142;
+    var t146 = 0.0;
     if (0.0 < tau) {
-        let t143 = 1.0 / (elevation_cos * elevation_cos);
-        let t144 = tau * tau;
-        let t145 = t144 * t143 / (1.0 + t_x);
-        let t146 = kappa - 0.5;
-        let t147 = cut - 0.5;
-        let t148 = t146 * t146;
-        let t149 = t147 * t147;
-        let t150 = fma(0.05430631, t148, 0.080950715);
-        let t151 = fma(t150, t148, 0.1684019);
-        let t152 = fma(t151, t148, 0.32709444);
-        let t153 = fma(fma(fma(fma(0.05430631, t149, t150), t149, t151), t149, t152), t149, fma(t152, t148, 0.5987523));
-        let t154 = fma(-0.026061837, t148, -0.06372378);
-        let t155 = fma(t154, t148, -0.11762552);
-        let t156 = fma(t155, t148, -0.23594604);
-        let t157 = fma(t156, t148, -0.44721135);
-        let t158 = fma(fma(fma(fma(-0.026061837, t149, t154), t149, t155), t149, t156), t149, t157);
-        let t159 = fma(kappa * t145, fma(fma(t147, t158, t153), t146 + t147, fma(t157, t148, -0.7754678)), fma(t113, t145 - kappa * kappa, kappa) * t143);
-        t142 = min(0.5, max(0.0, t144 * tau * (radius_cos + 1.0) * t159 * 0.31830987));
+        let t147 = 1.0 / (elevation_cos * elevation_cos);
+        let t148 = tau * tau;
+        let t149 = t148 * t147 / (1.0 + t_x);
+        let t150 = kappa - 0.5;
+        let t151 = cut - 0.5;
+        let t152 = t150 * t150;
+        let t153 = t151 * t151;
+        let t154 = fma(0.05430631, t152, 0.080950715);
+        let t155 = fma(t154, t152, 0.1684019);
+        let t156 = fma(t155, t152, 0.32709444);
+        let t157 = fma(fma(fma(fma(0.05430631, t153, t154), t153, t155), t153, t156), t153, fma(t156, t152, 0.5987523));
+        let t158 = fma(-0.026061837, t152, -0.06372378);
+        let t159 = fma(t158, t152, -0.11762552);
+        let t160 = fma(t159, t152, -0.23594604);
+        let t161 = fma(t160, t152, -0.44721135);
+        let t162 = fma(fma(fma(fma(-0.026061837, t153, t158), t153, t159), t153, t160), t153, t161);
+        let t163 = fma(kappa * t149, fma(fma(t151, t162, t157), t150 + t151, fma(t161, t152, -0.7754678)), fma(t115, t149 - kappa * kappa, kappa) * t147);
+        t146 = min(0.5, max(0.0, t148 * tau * (radius_cos + 1.0) * t163 * 0.31830987));
     }
-    let t160 = 1.0 - t142;
-    let t161 = 0.0 < inv_below;
-    let t162 = 0.0 < inv_above;
-    let t163 = 0.0 < inv_solid_angle && t140;
-    let t164 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && distance <= 3.4028235e38 && (0.0 < inv_above + inv_below || t163);
+    let t164 = 1.0 - t146;
+    let t165 = 0.0 < t110;
+    let t166 = 0.0 < t109;
+    let above = select(1.0, select(0.0, select(t146, t164, t78), t166), t165);
+    let density_above = t109 * above * t145;
+    let density_below = t110 * select(1.0, select(0.0, select(t164, t146, t78), t165), t166) * t145;
+    let t167 = distance <= 3.4028235e38 && 0.0 < density_above + density_below + density;
+    let t168 = 0.0 <= defensive && defensive <= 1.0 && t7 <= 2.0 && 0.0 < radius && t167;
     return spherecap_both_light(
-        t164, select(0.0, t141 * 6.2831855, t164), select(0.0, projected_above, t164), towards_centre,
+        t168, select(0.0, t144 * 6.2831855, t168), select(0.0, projected_above, t168), towards_centre,
         sideways, vec3f(normal_x, normal_y, normal_z), vec3f(up_x, up_y, up_z), on_surface, distance,
-        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share,
-        1.0 - defensive_share, defensive, inv_above, inv_below,
-        select(1.0, select(0.0, select(t142, t160, t78), t162), t161),
-        select(1.0, select(0.0, select(t160, t142, t78), t161), t162),
+        radius_sin, radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t142, defensive,
+        above, density_above, density_below,
         vec3f(fma(sideways.y, up_z, -(sideways.z * up_y)), fma(sideways.z, up_x, -(sideways.x * up_z)), fma(sideways.x, up_y, -(sideways.y * up_x))),
-        select(0.0, t141, t140), inv_solid_angle, select(0.0, t111, t110),
-        select(1.0, 1.0 / (1.0 - t111), t110), select(0.0, t112 * t112 * t112 * (t113 * 0.53033006), t110),
-        elevation_cos * radius_cos, radius_sin * t99, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
+        select(0.0, t144, t143), density, select(0.0, t113, t112), select(1.0, 1.0 / (1.0 - t113), t112),
+        select(0.0, t114 * t114 * t114 * (t115 * 0.53033006), t112), elevation_cos * radius_cos,
+        radius_sin * t99, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     );
 }
 
@@ -1285,129 +1277,125 @@ fn spherecap_both_sample(light: spherecap_both_light, u0: f32, u1: f32) -> spher
     }
     let t1 = 0.0 < light.elevation_sin;
     let t2 = abs(light.elevation_sin);
-    let t3 = 0.0 < light.defensive_share;
-    let t4 = min(0.99999994, max(5.9604645e-8, u0));
-    let t5 = min(0.99999994, max(5.9604645e-8, u1));
-    let t6 = t4 < light.defensive_share && t3;
-    let t7 = select(t4 - light.defensive_share, t4, t6) / select(light.defensive_rest, light.defensive_share, t6);
-    let t8 = select(t4, min(0.99999994, max(5.9604645e-8, t7)), 0.0 < light.requested && t3);
-    let t9 = t8 < light.sides_share || t6;
-    let t10 = select(t8 - light.sides_share, t8, t9) / select(light.sides_rest, light.sides_share, t9);
-    let t11 = t9 && t1;
-    let t12 = !t9 && !t1;
-    let t13 = select(min(0.99999994, max(5.9604645e-8, t10)), t8, t6);
-    let t14 = !(0.0 < light.tau) || t6;
-    let t15 = !(t11 || t12) && !t14;
-    let t16 = light.crescent_share <= t13 && !t15;
-    let t17 = t14 || t16;
-    let t18 = 1.0 - t5;
-    let t19 = t5 - t18;
-    let t20 = 4.0 * t5 * t18;
-    let t21 = min(0.99999994, max(5.9604645e-8, (t13 - light.crescent_share) * light.inv_rest));
-    let t22 = select(t21, t13, t14);
-    let t23 = select(light.beyond, 0.0, t14);
-    let t24 = 1.6660811 - t23;
-    let t25 = fma(t22, t24, t23);
-    let t26 = (1.0 - t22) * t24;
+    let t3 = min(0.99999994, max(5.9604645e-8, u0));
+    let t4 = min(0.99999994, max(5.9604645e-8, u1));
+    let t5 = t3 < light.defensive;
+    let t6 = select(t3 - light.defensive, t3, t5) / select(1.0 - light.defensive, light.defensive, t5);
+    let t7 = select(t3, min(0.99999994, max(5.9604645e-8, t6)), 0.0 < light.requested);
+    let t8 = t7 < light.above || t5;
+    let t9 = select(t7 - light.above, t7, t8) / select(1.0 - light.above, light.above, t8);
+    let t10 = t8 && t1;
+    let t11 = !t8 && !t1;
+    let t12 = select(min(0.99999994, max(5.9604645e-8, t9)), t7, t5);
+    let t13 = !(0.0 < light.tau) || t5;
+    let t14 = !(t10 || t11) && !t13;
+    let t15 = light.crescent_share <= t12 && !t14;
+    let t16 = t13 || t15;
+    let t17 = 1.0 - t4;
+    let t18 = t4 - t17;
+    let t19 = 4.0 * t4 * t17;
+    let t20 = min(0.99999994, max(5.9604645e-8, (t12 - light.crescent_share) * light.inv_rest));
+    let t21 = select(t20, t12, t13);
+    let t22 = select(light.beyond, 0.0, t13);
+    let t23 = 1.6660811 - t22;
+    let t24 = fma(t21, t23, t22);
+    let t25 = (1.0 - t21) * t23;
+    var t27: f32;
     var t28: f32;
     var t29: f32;
-    var t30: f32;
-    var t27 = 0.0;
-    if (t17) {
-        t28 = min(t26, t25);
+    var t26 = 0.0;
+    if (t16) {
+        t27 = min(t25, t24);
+        t28 = 1.0;
         t29 = 1.0;
-        t30 = 1.0;
     } else {
-        let t31 = sqrt(t20);
-        let t32 = fma(fma(fma(light.b_5, t20, light.b_3), t20, light.b_1), t31, fma(fma(fma(light.b_6, t20, light.b_4), t20, light.b_2), t20, light.b_0));
-        let t33 = t31 * t32;
-        let t34 = sqrt(fma(t19, t19, t33 * t33));
-        let t35 = light.tau * t33;
-        t30 = select(1.0, fma(t19, t19, t35 * t35), t15);
-        let t36 = select(light.crescent_share, fma(light.kappa, t33, t34) * fma(light.cut, t33, t34), t15);
-        let t37 = select(t13, light.width, t15) / t36;
-        let t38 = select(light.width, t37, t15);
-        let t39 = t30 * t38;
-        let t40 = fma(fma(fma(-0.00060778117, t39, 1.0676054e-5), t39, -0.0027203285), t39 * t39 * t39, fma(fma(-0.011332183, t39, -0.10000902), t39, 1.0000001));
-        t27 = select(t31, t35, t15);
-        t28 = select(min(0.99999994, max(5.9604645e-8, t37)), t13, t15);
-        t29 = t38 * t40;
+        let t30 = sqrt(t19);
+        let t31 = fma(fma(fma(light.b_5, t19, light.b_3), t19, light.b_1), t30, fma(fma(fma(light.b_6, t19, light.b_4), t19, light.b_2), t19, light.b_0));
+        let t32 = t30 * t31;
+        let t33 = sqrt(fma(t18, t18, t32 * t32));
+        let t34 = light.tau * t32;
+        t29 = select(1.0, fma(t18, t18, t34 * t34), t14);
+        let t35 = select(light.crescent_share, fma(light.kappa, t32, t33) * fma(light.cut, t32, t33), t14);
+        let t36 = select(t12, light.width, t14) / t35;
+        let t37 = select(light.width, t36, t14);
+        let t38 = t29 * t37;
+        let t39 = fma(fma(fma(-0.00060778117, t38, 1.0676054e-5), t38, -0.0027203285), t38 * t38 * t38, fma(fma(-0.011332183, t38, -0.10000902), t38, 1.0000001));
+        t26 = select(t30, t34, t14);
+        t27 = select(min(0.99999994, max(5.9604645e-8, t36)), t12, t14);
+        t28 = t37 * t39;
     }
-    let t41 = spherecap_float_of_bits(fma(spherecap_bits(t28), -0.33333334, 1419900500.0));
-    let t42 = t28 * t41;
-    let t43 = fma(-t42, t41 * t41, 1.0);
-    let t44 = t43 * t43;
-    let t45 = fma(fma(0.12666093, t44, fma(0.14565912, t43, 0.17283025)), t44, fma(0.22221696, t43, 0.33333334));
-    let t46 = t29 * fma(t42 * t43, t45, t42);
-    let t47 = t46 * t30;
-    let t48 = t47 * t47 * t47;
-    let t49 = fma(fma(fma(0.022114987, t47, -0.063446075), t47, 0.085662976), t48, fma(fma(-0.056249518, t47, 0.030445365), t47, 0.0074712755));
-    let t50 = t46 * fma(t49, t48, fma(fma(0.03209764, t47, 0.09996679), t47, 1.0000004));
-    let t51 = select(t50, min(1.0, t50), t17);
-    let t52 = t30 * t51;
-    let t53 = 2.0 - t52;
-    let t54 = t51 * t53;
-    let t55 = sqrt(t54);
+    let t40 = spherecap_float_of_bits(fma(spherecap_bits(t27), -0.33333334, 1419900500.0));
+    let t41 = t27 * t40;
+    let t42 = fma(-t41, t40 * t40, 1.0);
+    let t43 = t42 * t42;
+    let t44 = fma(fma(0.12666093, t43, fma(0.14565912, t42, 0.17283025)), t43, fma(0.22221696, t42, 0.33333334));
+    let t45 = t28 * fma(t41 * t42, t44, t41);
+    let t46 = t45 * t29;
+    let t47 = t46 * t46 * t46;
+    let t48 = fma(fma(fma(0.022114987, t46, -0.063446075), t46, 0.085662976), t47, fma(fma(-0.056249518, t46, 0.030445365), t46, 0.0074712755));
+    let t49 = t45 * fma(t48, t47, fma(fma(0.03209764, t46, 0.09996679), t46, 1.0000004));
+    let t50 = t29 * t49;
+    let t51 = 2.0 - t50;
+    let t52 = t49 * t51;
+    let t53 = sqrt(t52);
     var side: f32;
+    var t54: f32;
+    var t55: f32;
     var t56: f32;
     var t57: f32;
-    var t58: f32;
-    var t59: f32;
-    if (t17) {
-        let t60 = select(t53, t52, t25 - t26 < 0.0);
-        if (t6) {
-            let t61 = light.height * (1.0 - t54 * t20);
-            let t62 = sqrt(light.height * (2.0 - t61));
-            t58 = (t60 - 1.0) * t62;
-            let t63 = 1.0 - t61;
-            t57 = fma(light.elevation_sin, t63, light.elevation_cos * t58);
-            t56 = fma(light.elevation_cos, t63, -(light.elevation_sin * t58));
-            side = t55 * t19 * t62;
-            t59 = t57 * light.on_surface;
+    if (t16) {
+        let t58 = select(t51, t50, t24 - t25 < 0.0);
+        if (t5) {
+            let t59 = light.height * (1.0 - t52 * t19);
+            let t60 = sqrt(light.height * (2.0 - t59));
+            t56 = (t58 - 1.0) * t60;
+            let t61 = 1.0 - t59;
+            t55 = fma(light.elevation_sin, t61, light.elevation_cos * t56);
+            t54 = fma(light.elevation_cos, t61, -(light.elevation_sin * t56));
+            side = t53 * t18 * t60;
+            t57 = t55 * light.on_surface;
         } else {
-            let t64 = 1.0 - t60;
-            let t65 = light.radius_sin * light.radius_sin * t20;
-            let t66 = max(0.0, fma(light.climb, t60, -light.rise));
-            t57 = sqrt(fma(t54, t65, t66 * t66));
-            let t67 = t2 * light.radius_cos;
-            let t68 = light.climb * t64;
-            t58 = fma(light.elevation_cos, fma(t68, t68 - 2.0 * t67, t54 * t65) / (t57 + t67), -(light.half_axis * t2 * t64));
-            t56 = fma(light.half_axis, t64, light.middle);
-            side = light.radius_sin * t55 * t19;
-            t59 = t57;
+            let t62 = 1.0 - t58;
+            let t63 = light.radius_sin * light.radius_sin * t19;
+            let t64 = max(0.0, fma(light.climb, t58, -light.rise));
+            t55 = sqrt(fma(t52, t63, t64 * t64));
+            let t65 = t2 * light.radius_cos;
+            let t66 = light.climb * t62;
+            t56 = fma(light.elevation_cos, fma(t66, t66 - 2.0 * t65, t52 * t63) / (t55 + t65), -(light.half_axis * t2 * t62));
+            t54 = fma(light.half_axis, t62, light.middle);
+            side = light.radius_sin * t53 * t18;
+            t57 = t55;
         }
     } else {
-        t57 = t55 * t27;
-        t56 = 1.0 - t52;
-        side = t55 * t19;
-        t58 = fma(light.elevation_cos, t57, -(select(t2, -t2, t15) * t56));
-        t59 = t57;
+        t55 = t53 * t26;
+        t54 = 1.0 - t50;
+        side = t53 * t18;
+        t56 = fma(light.elevation_cos, t55, -(select(t2, -t2, t14) * t54));
+        t57 = t55;
     }
-    let t69 = select(-1.0, 1.0, t9);
-    let zenith = t58 * t69;
-    let cosine = t59 * t69;
-    let t70 = t57 * t69;
-    let t71 = light.defensive_share * light.inv_solid_angle;
-    let t72 = min(3.4028235e38, abs(cosine));
-    let t73 = select(select(0.0, light.inv_below * light.sides_rest, cosine < 0.0), light.inv_above * light.sides_share, 0.0 < cosine);
-    let t74 = fma(t73, light.defensive_rest, min(3.4028235e38, t71 / max(1.1754944e-38, t72)));
-    let t75 = fma(zenith, zenith, side * side);
-    let t76 = max(0.0, fma(light.radius_sin, light.radius_sin, -t75));
-    let t77 = sqrt(t76);
-    let t78 = sqrt(fma(light.radius_cos, light.radius_cos, t76));
-    let t79 = light.radius_cos * light.radius_cos / (t78 + t77);
-    let t80 = 1.0 / light.radius_sin;
-    let t81 = t79 * t80;
-    let t82 = -fma(t78, t77, t75) * t80;
-    let t83 = t81 * zenith;
-    let t84 = t81 * side;
-    let t85 = fma(light.elevation_cos, t82, -(light.elevation_sin * t83));
-    let t86 = fma(light.elevation_sin, t82, light.elevation_cos * t83);
+    let t67 = select(-1.0, 1.0, t8);
+    let zenith = t56 * t67;
+    let cosine = t57 * t67;
+    let t68 = t55 * t67;
+    let t69 = min(3.4028235e38, abs(cosine));
+    let t70 = select(select(0.0, light.density_below, cosine < 0.0), light.density_above, 0.0 < cosine);
+    let t71 = min(3.4028235e38, t70 + min(3.4028235e38, light.density / max(1.1754944e-38, t69)));
+    let t72 = fma(zenith, zenith, side * side);
+    let t73 = max(0.0, fma(light.radius_sin, light.radius_sin, -t72));
+    let t74 = sqrt(t73);
+    let t75 = sqrt(fma(light.radius_cos, light.radius_cos, t73));
+    let t76 = light.radius_cos * light.radius_cos / (t75 + t74);
+    let t77 = 1.0 / light.radius_sin;
+    let t78 = t76 * t77;
+    let t79 = -fma(t75, t74, t72) * t77;
+    let t80 = t78 * zenith;
+    let t81 = t78 * side;
+    let t82 = fma(light.elevation_cos, t79, -(light.elevation_sin * t80));
+    let t83 = fma(light.elevation_sin, t79, light.elevation_cos * t80);
     return spherecap_sample(
-        light.third_axis * t56 + light.sideways * side + light.up * t70, t79 * light.distance,
-        light.third_axis * t85 + light.sideways * t84 + light.up * t86, cosine,
-        select(t73 * t72, fma(t73, light.defensive_rest * t72, t71), t3),
-        select(t73, min(3.4028235e38, t74), t3)
+        light.third_axis * t54 + light.sideways * side + light.up * t68, t76 * light.distance,
+        light.third_axis * t82 + light.sideways * t81 + light.up * t83, cosine, fma(t70, t69, light.density),
+        t71
     );
 }
 
@@ -1423,12 +1411,10 @@ fn spherecap_both_pdf_direction(light: spherecap_both_light, direction: vec3f) -
     let t2 = dot(light.towards_centre, direction) < 0.0;
     let t3 = select(dot(cross(light.towards_centre, light.sideways), direction), 1.0, t2);
     let t4 = select(dot(light.sideways, direction), 1.0, t2);
-    let t5 = min(3.4028235e38, abs(t1));
-    let t6 = select(select(0.0, light.inv_below * light.sides_rest, t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
-    let t7 = fma(t6, light.defensive_rest * t5, light.defensive_share * light.inv_solid_angle);
-    let t8 = select(0.0, select(t6 * t5, t7, 0.0 < light.defensive_share), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
-    let t9 = dot(direction, direction);
-    return select(0.0, t8, 0.998001 <= t9 && t9 <= 1.002001);
+    let t5 = select(select(0.0, light.density_below, t1 < 0.0), light.density_above, 0.0 < t1);
+    let t6 = select(0.0, fma(t5, min(3.4028235e38, abs(t1)), light.density), fma(t3, t3, t4 * t4) <= light.radius_sin * light.radius_sin * 1.0000019);
+    let t7 = dot(direction, direction);
+    return select(0.0, t6, 0.998001 <= t7 && t7 <= 1.002001);
 }
 
 fn spherecap_both_pdf_on_sphere(light: spherecap_both_light, direction: vec3f) -> f32 {
@@ -1436,12 +1422,10 @@ fn spherecap_both_pdf_on_sphere(light: spherecap_both_light, direction: vec3f) -
         return 0.0;
     }
     let t1 = dot(light.normal, direction);
-    let t2 = min(3.4028235e38, abs(t1));
-    let t3 = select(select(0.0, light.inv_below * light.sides_rest, t1 < 0.0), light.inv_above * light.sides_share, 0.0 < t1);
-    let t4 = fma(t3, light.defensive_rest * t2, light.defensive_share * light.inv_solid_angle);
-    let t5 = dot(direction, direction);
-    let t6 = select(0.0, select(t3 * t2, t4, 0.0 < light.defensive_share), 0.998001 <= t5 && t5 <= 1.002001);
-    return t6;
+    let t2 = select(select(0.0, light.density_below, t1 < 0.0), light.density_above, 0.0 < t1);
+    let t3 = dot(direction, direction);
+    let t4 = select(0.0, fma(t2, min(3.4028235e38, abs(t1)), light.density), 0.998001 <= t3 && t3 <= 1.002001);
+    return t4;
 }
 
 fn spherecap_both_importance(normal: vec3f, centre: vec3f, radius: f32, defensive: f32, strength: f32) -> f32 {

@@ -111,7 +111,7 @@ typedef struct spherecap_inline_surface_light {
     float width;
     float cut;
     float rise;
-    float inv_above;
+    float density_above;
     float third_axis[3];
     float crescent_share;
     float inv_rest;
@@ -263,8 +263,8 @@ static inline spherecap_inline_surface_light spherecap_inline_surface_prepare(co
     const float sideways_z = t30 * t88;
     const float distance = t57 * (t2 ? 1.0f : unscale);
     const float projected_above = (9.403955e-38f < t86 && t87 && t60) ? t86 : 0.0f;
-    const float inv_above = 0.0f < projected_above ? 1.0f / projected_above : 0.0f;
-    const float t89 = t62 ? inv_above : 0.0f;
+    const float density_above = 0.0f < projected_above ? 1.0f / projected_above : 0.0f;
+    const float t89 = t62 ? density_above : 0.0f;
     const bool t90 = t61 && t62 && 0.0f < t89;
     const float t91 = t_y * t_y * t_y * shape * t89;
     const float t92 = t_y / radius_sin;
@@ -305,12 +305,12 @@ static inline spherecap_inline_surface_light spherecap_inline_surface_prepare(co
         b_5 = t119 - t118;
         b_6 = -t119;
     }
-    const bool t120 = 0.0f < radius && distance <= 3.4028235e38f && 0.0f < inv_above;
+    const bool t120 = 0.0f < radius && distance <= 3.4028235e38f && 0.0f < density_above;
     const float t121 = ((0.0f < radius_cos && t87) ? t85 / (1.0f + radius_cos) : 0.0f) * 6.2831855f;
     const spherecap_inline_surface_light result = {
         t120, t120 ? t121 : 0.0f, t120 ? projected_above : 0.0f, {t5 * t58, t6 * t58, t7 * t58},
         {sideways_x, sideways_y, sideways_z}, {normal[0], normal[1], normal[2]}, distance, radius_sin,
-        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, inv_above,
+        radius_cos, elevation_sin, elevation_cos, tau, kappa, width, cut, rise, density_above,
         {fmaf(sideways_y, normal[2], -(sideways_z * normal[1])), fmaf(sideways_z, normal[0], -(sideways_x * normal[2])), fmaf(sideways_x, normal[1], -(sideways_y * normal[0]))},
         t90 ? t91 : 0.0f, t90 ? 1.0f / (1.0f - t91) : 1.0f, t90 ? t93 : 0.0f, elevation_cos * radius_cos,
         radius_sin * t84, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
@@ -373,51 +373,52 @@ static inline spherecap_inline_sample spherecap_inline_surface_sample(const sphe
     const float t40 = fmaf(fmaf(fmaf(0.022114987f, t38, -0.063446075f), t38, 0.085662976f), t39, fmaf(fmaf(-0.056249518f, t38, 0.030445365f), t38, 0.0074712755f));
     const float t41 = fmaf(t40, t39, fmaf(fmaf(0.03209764f, t38, 0.09996679f), t38, 1.0000004f));
     const float t42 = t37 * t41;
-    const float t43 = t7 ? spherecap_inline_min(t42, 1.0f) : t42;
-    const float t44 = t20 * t43;
-    const float t45 = 2.0f - t44;
-    const float t46 = t43 * t45;
-    const float t47 = sqrtf(t46);
-    float zenith, side, cosine, t48;
+    const float t43 = t20 * t42;
+    const float t44 = 2.0f - t43;
+    const float t45 = t42 * t44;
+    const float t46 = sqrtf(t45);
+    float zenith, side, cosine, t47;
     if (t7) {
-        const float t49 = t15 - t16 < 0.0f ? t44 : t45;
-        const float t50 = 1.0f - t49;
-        const float t51 = light->radius_sin * light->radius_sin * t10;
-        const float t52 = spherecap_inline_max(fmaf(light->climb, t49, -light->rise), 0.0f);
-        cosine = sqrtf(fmaf(t46, t51, t52 * t52));
-        const float t53 = t1 * light->radius_cos;
-        const float t54 = light->climb * t50;
-        zenith = fmaf(light->elevation_cos, fmaf(t54, t54 - 2.0f * t53, t46 * t51) / (cosine + t53), -(light->half_axis * t1 * t50));
-        side = light->radius_sin * t47 * t9;
-        t48 = fmaf(light->half_axis, t50, light->middle);
+        const float t48 = t15 - t16 < 0.0f ? t43 : t44;
+        const float t49 = 1.0f - t48;
+        const float t50 = light->radius_sin * light->radius_sin * t10;
+        const float t51 = spherecap_inline_max(fmaf(light->climb, t48, -light->rise), 0.0f);
+        cosine = sqrtf(fmaf(t45, t50, t51 * t51));
+        const float t52 = t1 * light->radius_cos;
+        const float t53 = light->climb * t49;
+        zenith = fmaf(light->elevation_cos, fmaf(t53, t53 - 2.0f * t52, t45 * t50) / (cosine + t52), -(light->half_axis * t1 * t49));
+        side = light->radius_sin * t46 * t9;
+        t47 = fmaf(light->half_axis, t49, light->middle);
     } else {
-        cosine = t47 * t17;
-        t48 = 1.0f - t44;
-        zenith = fmaf(light->elevation_cos, cosine, -((t5 ? -t1 : t1) * t48));
-        side = t47 * t9;
+        cosine = t46 * t17;
+        t47 = 1.0f - t43;
+        zenith = fmaf(light->elevation_cos, cosine, -((t5 ? -t1 : t1) * t47));
+        side = t46 * t9;
     }
-    const float t55 = light->inv_above * spherecap_inline_min(spherecap_inline_max(cosine, 0.0f), 3.4028235e38f);
-    const float t56 = fmaf(zenith, zenith, side * side);
-    const float t57 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t56), 0.0f);
-    const float t58 = sqrtf(t57);
-    const float t59 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t57));
-    const float t60 = light->radius_cos * light->radius_cos / (t59 + t58);
-    const float t61 = 1.0f / light->radius_sin;
-    const float t62 = t60 * t61;
-    const float t63 = -fmaf(t59, t58, t56) * t61;
-    const float t64 = t62 * zenith;
-    const float t65 = t62 * side;
-    const float t66 = fmaf(light->third_axis[0], t48, fmaf(light->sideways[0], side, light->normal[0] * cosine));
-    const float t67 = fmaf(light->third_axis[1], t48, fmaf(light->sideways[1], side, light->normal[1] * cosine));
-    const float t68 = fmaf(light->third_axis[2], t48, fmaf(light->sideways[2], side, light->normal[2] * cosine));
-    const float t69 = fmaf(light->elevation_cos, t63, -(light->elevation_sin * t64));
-    const float t70 = fmaf(light->elevation_sin, t63, light->elevation_cos * t64);
-    const float t71 = fmaf(light->third_axis[0], t69, fmaf(light->sideways[0], t65, light->normal[0] * t70));
-    const float t72 = fmaf(light->third_axis[1], t69, fmaf(light->sideways[1], t65, light->normal[1] * t70));
-    const float t73 = fmaf(light->third_axis[2], t69, fmaf(light->sideways[2], t65, light->normal[2] * t70));
+    const float t54 = fmaf(light->density_above, spherecap_inline_min(spherecap_inline_max(cosine, 0.0f), 3.4028235e38f), 0.0f);
+    const float t55 = spherecap_inline_max(spherecap_inline_min(fabsf(cosine), 3.4028235e38f), 1.1754944e-38f);
+    const float t56 = (0.0f < cosine ? light->density_above : 0.0f) + spherecap_inline_min(0.0f / t55, 3.4028235e38f);
+    const float t57 = fmaf(zenith, zenith, side * side);
+    const float t58 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t57), 0.0f);
+    const float t59 = sqrtf(t58);
+    const float t60 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t58));
+    const float t61 = light->radius_cos * light->radius_cos / (t60 + t59);
+    const float t62 = 1.0f / light->radius_sin;
+    const float t63 = t61 * t62;
+    const float t64 = -fmaf(t60, t59, t57) * t62;
+    const float t65 = t63 * zenith;
+    const float t66 = t63 * side;
+    const float t67 = fmaf(light->third_axis[0], t47, fmaf(light->sideways[0], side, light->normal[0] * cosine));
+    const float t68 = fmaf(light->third_axis[1], t47, fmaf(light->sideways[1], side, light->normal[1] * cosine));
+    const float t69 = fmaf(light->third_axis[2], t47, fmaf(light->sideways[2], side, light->normal[2] * cosine));
+    const float t70 = fmaf(light->elevation_cos, t64, -(light->elevation_sin * t65));
+    const float t71 = fmaf(light->elevation_sin, t64, light->elevation_cos * t65);
+    const float t72 = fmaf(light->third_axis[0], t70, fmaf(light->sideways[0], t66, light->normal[0] * t71));
+    const float t73 = fmaf(light->third_axis[1], t70, fmaf(light->sideways[1], t66, light->normal[1] * t71));
+    const float t74 = fmaf(light->third_axis[2], t70, fmaf(light->sideways[2], t66, light->normal[2] * t71));
     const spherecap_inline_sample result = {
-        {t66, t67, t68}, t60 * light->distance, {t71, t72, t73}, cosine, t55,
-        0.0f < cosine ? light->inv_above : 0.0f
+        {t67, t68, t69}, t61 * light->distance, {t72, t73, t74}, cosine, t54,
+        spherecap_inline_min(t56, 3.4028235e38f)
     };
     return result;
 }
@@ -442,7 +443,7 @@ static inline float spherecap_inline_surface_pdf_direction(const spherecap_inlin
     const bool t7 = fmaf(light->towards_centre[0], direction[0], t1) < 0.0f;
     const float t8 = t7 ? 1.0f : fmaf(t2, direction[0], fmaf(t3, direction[1], t4 * direction[2]));
     const float t9 = t7 ? 1.0f : fmaf(light->sideways[0], direction[0], t5);
-    const float t10 = light->inv_above * spherecap_inline_min(spherecap_inline_max(t6, 0.0f), 3.4028235e38f);
+    const float t10 = fmaf(light->density_above, spherecap_inline_min(spherecap_inline_max(t6, 0.0f), 3.4028235e38f), 0.0f);
     const bool t11 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
     const float t12 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
     return (0.998001f <= t12 && t12 <= 1.002001f) ? (t11 ? t10 : 0.0f) : 0.0f;
@@ -454,7 +455,7 @@ static inline float spherecap_inline_surface_pdf_on_sphere(const spherecap_inlin
         return 0.0f;
     }
     const float t1 = fmaf(light->normal[0], direction[0], fmaf(light->normal[1], direction[1], light->normal[2] * direction[2]));
-    const float t2 = light->inv_above * spherecap_inline_min(spherecap_inline_max(t1, 0.0f), 3.4028235e38f);
+    const float t2 = fmaf(light->density_above, spherecap_inline_min(spherecap_inline_max(t1, 0.0f), 3.4028235e38f), 0.0f);
     const float t3 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
     return (0.998001f <= t3 && t3 <= 1.002001f) ? t2 : 0.0f;
 }
@@ -507,13 +508,12 @@ typedef struct spherecap_inline_front_light {
     float width;
     float cut;
     float rise;
-    float share;
-    float rest;
+    float defensive;
     float requested;
-    float inv_above;
+    float density_above;
     float third_axis[3];
     float height;
-    float inv_solid_angle;
+    float density;
     float crescent_share;
     float inv_rest;
     float beyond;
@@ -695,63 +695,62 @@ static inline spherecap_inline_front_light spherecap_inline_front_prepare(const 
     const float distance = t70 * (t10 ? 1.0f : unscale);
     const float projected_above = (9.403955e-38f < t99 && t100 && t73) ? t99 : 0.0f;
     const bool t102 = 0.0f < projected_above;
-    const float inv_above = t102 ? 1.0f / projected_above : 0.0f;
-    const float t103 = t75 ? inv_above : 0.0f;
-    const bool t104 = t74 && t75 && 0.0f < t103;
-    const float t105 = t_y * t_y * t_y * shape * t103;
-    const float t106 = t_y / radius_sin;
-    const float t107 = t106 * t106 * t106 * (fmaf(cut - t_x, shape_difference, shape) * 0.53033006f);
+    const float t103 = t102 ? 1.0f / projected_above : 0.0f;
+    const float t104 = t75 ? t103 : 0.0f;
+    const bool t105 = t74 && t75 && 0.0f < t104;
+    const float t106 = t_y * t_y * t_y * shape * t104;
+    const float t107 = t_y / radius_sin;
+    const float t108 = t107 * t107 * t107 * (fmaf(cut - t_x, shape_difference, shape) * 0.53033006f);
     float b_0 = 0.0f, b_1 = 0.0f, b_2 = 0.0f, b_3 = 0.0f, b_4 = 0.0f, b_5 = 0.0f, b_6 = 0.0f;
     if (t74 && !t75) {
-        const float t108 = 1.0f + kappa;
-        const float t109 = t108 * shape;
-        const float t110 = 1.0f / (norm * t109);
-        const float t111 = sqrtf(t110);
-        b_0 = norm * t111;
-        const float t112 = 1.0f / (1.0f + cut);
-        const float t113 = (t_x + kappa) * t112 - 0.5f;
-        const float t114 = t113 * t113 * t113;
-        const float t115 = fmaf(fmaf(fmaf(-0.026061837f, t113, 0.05430631f), t113, -0.06372378f), t114, fmaf(fmaf(0.080950715f, t113, -0.11762552f), t113, 0.1684019f));
-        const float t116 = fmaf(t115, t114, fmaf(fmaf(-0.23594604f, t113, 0.32709444f), t113, -0.44721135f));
-        const float t117 = fmaf(t116, t114, fmaf(fmaf(0.5987523f, t113, -0.7754678f), t113, 0.94559944f));
-        const float t118 = t108 * t117 * (t112 * t112 * t112) * (t109 * t110);
-        const float t119 = fmaf(t118, t109 * t111, -1.0f);
-        const float t120 = 1.0f - t118;
-        const float t121 = fmaf(fmaf(30.011856f, t119, fmaf(-41.541264f, t120, -37.009792f)), t119, fmaf(77.96775f, t120, 7.470758f));
-        const float t122 = fmaf(t121, t119, fmaf(fmaf(-49.13454f, t120, -9.466533f), t120, -1.5877596f));
-        const float t123 = fmaf(fmaf(fmaf(15.716111f, t120, 0.0f), t120, 9.961183f), t120, -2.61785f);
-        const float t124 = t119 * fmaf(t122, t119, fmaf(t123, t120, 0.8681748f));
-        const float t125 = fmaf(fmaf(7.295638f, t119, -7.236236f), t119, fmaf(fmaf(fmaf(-11.4868555f, t120, 0.0f), t120, 0.0f), t120, 3.1255686f));
-        const float t126 = fmaf(fmaf(fmaf(13.728438f, t120, -7.981878f), t120, 2.025724f), t120, -0.7334958f);
-        const float t127 = t119 * fmaf(t125, t119, t126);
-        const float t128 = fmaf(fmaf(fmaf(9.986537f, t120, 25.22195f), t120, 0.0f), t120, -2.9581387f);
-        const float t129 = fmaf(fmaf(fmaf(-19.722994f, t120, 4.6594768f), t120, -0.89538246f), t120, 0.5143498f);
-        const float t130 = t119 * fmaf(fmaf(fmaf(-23.220068f, t120, 7.332055f), t119, t128), t119, t129);
-        const float t131 = fmaf(fmaf(fmaf(1.946617f, t119, -3.077631f), t119, 1.4945927f), t119, -0.24140751f);
-        const float t132 = t119 * t131;
-        const float t133 = t119 * fmaf(fmaf(0.38173297f, t119, -0.30305624f), t119, 0.05897375f);
-        b_1 = t118 - b_0 + t124;
-        b_2 = t127 - t124;
-        b_3 = t130 - t127;
-        b_4 = t132 - t130;
-        b_5 = t133 - t132;
-        b_6 = -t133;
+        const float t109 = 1.0f + kappa;
+        const float t110 = t109 * shape;
+        const float t111 = 1.0f / (norm * t110);
+        const float t112 = sqrtf(t111);
+        b_0 = norm * t112;
+        const float t113 = 1.0f / (1.0f + cut);
+        const float t114 = (t_x + kappa) * t113 - 0.5f;
+        const float t115 = t114 * t114 * t114;
+        const float t116 = fmaf(fmaf(fmaf(-0.026061837f, t114, 0.05430631f), t114, -0.06372378f), t115, fmaf(fmaf(0.080950715f, t114, -0.11762552f), t114, 0.1684019f));
+        const float t117 = fmaf(t116, t115, fmaf(fmaf(-0.23594604f, t114, 0.32709444f), t114, -0.44721135f));
+        const float t118 = fmaf(t117, t115, fmaf(fmaf(0.5987523f, t114, -0.7754678f), t114, 0.94559944f));
+        const float t119 = t109 * t118 * (t113 * t113 * t113) * (t110 * t111);
+        const float t120 = fmaf(t119, t110 * t112, -1.0f);
+        const float t121 = 1.0f - t119;
+        const float t122 = fmaf(fmaf(30.011856f, t120, fmaf(-41.541264f, t121, -37.009792f)), t120, fmaf(77.96775f, t121, 7.470758f));
+        const float t123 = fmaf(t122, t120, fmaf(fmaf(-49.13454f, t121, -9.466533f), t121, -1.5877596f));
+        const float t124 = fmaf(fmaf(fmaf(15.716111f, t121, 0.0f), t121, 9.961183f), t121, -2.61785f);
+        const float t125 = t120 * fmaf(t123, t120, fmaf(t124, t121, 0.8681748f));
+        const float t126 = fmaf(fmaf(7.295638f, t120, -7.236236f), t120, fmaf(fmaf(fmaf(-11.4868555f, t121, 0.0f), t121, 0.0f), t121, 3.1255686f));
+        const float t127 = fmaf(fmaf(fmaf(13.728438f, t121, -7.981878f), t121, 2.025724f), t121, -0.7334958f);
+        const float t128 = t120 * fmaf(t126, t120, t127);
+        const float t129 = fmaf(fmaf(fmaf(9.986537f, t121, 25.22195f), t121, 0.0f), t121, -2.9581387f);
+        const float t130 = fmaf(fmaf(fmaf(-19.722994f, t121, 4.6594768f), t121, -0.89538246f), t121, 0.5143498f);
+        const float t131 = t120 * fmaf(fmaf(fmaf(-23.220068f, t121, 7.332055f), t120, t129), t120, t130);
+        const float t132 = fmaf(fmaf(fmaf(1.946617f, t120, -3.077631f), t120, 1.4945927f), t120, -0.24140751f);
+        const float t133 = t120 * t132;
+        const float t134 = t120 * fmaf(fmaf(0.38173297f, t120, -0.30305624f), t120, 0.05897375f);
+        b_1 = t119 - b_0 + t125;
+        b_2 = t128 - t125;
+        b_3 = t131 - t128;
+        b_4 = t133 - t131;
+        b_5 = t134 - t133;
+        b_6 = -t134;
     }
-    const float share = ((0.0f < defensive || !(0.0f < on_surface)) && !t102) ? 1.0f : defensive;
-    const bool t134 = 0.0f < share;
-    const float t135 = (0.0f < radius_cos && t100) ? t98 / (1.0f + radius_cos) : 0.0f;
-    const float inv_solid_angle = t134 ? (0.0f < t135 ? 0.15915494f / t135 : 0.0f) : 0.0f;
-    const bool t136 = 0.0f < inv_solid_angle && t134;
-    const bool t137 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (0.0f < inv_above || t136);
+    const float t135 = ((0.0f < defensive || !(0.0f < on_surface)) && !t102) ? 1.0f : defensive;
+    const bool t136 = 0.0f < t135;
+    const float t137 = (0.0f < radius_cos && t100) ? t98 / (1.0f + radius_cos) : 0.0f;
+    const float density = t136 ? t135 * (0.0f < t137 ? 0.15915494f / t137 : 0.0f) : 0.0f;
+    const float density_above = t103 * (1.0f - t135);
+    const bool t138 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && 0.0f < density_above + 0.0f + density;
     const spherecap_inline_front_light result = {
-        t137, t137 ? t135 * 6.2831855f : 0.0f, t137 ? projected_above : 0.0f,
+        t138, t138 ? t137 * 6.2831855f : 0.0f, t138 ? projected_above : 0.0f,
         {t13 * t71, t14 * t71, t15 * t71}, {sideways_x, sideways_y, sideways_z},
         {normal_x, normal_y, normal_z}, {up_x, up_y, up_z}, on_surface, distance, radius_sin, radius_cos,
-        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, share, 1.0f - share, defensive,
-        inv_above,
+        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t135, defensive, density_above,
         {fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))},
-        t134 ? t135 : 0.0f, inv_solid_angle, t104 ? t105 : 0.0f, t104 ? 1.0f / (1.0f - t105) : 1.0f,
-        t104 ? t107 : 0.0f, elevation_cos * radius_cos, radius_sin * t97, climb, b_0, b_1, b_2, b_3, b_4,
+        t136 ? t137 : 0.0f, density, t105 ? t106 : 0.0f, t105 ? 1.0f / (1.0f - t106) : 1.0f,
+        t105 ? t108 : 0.0f, elevation_cos * radius_cos, radius_sin * t97, climb, b_0, b_1, b_2, b_3, b_4,
         b_5, b_6
     };
     return result;
@@ -763,19 +762,19 @@ static inline spherecap_inline_sample spherecap_inline_front_sample(const sphere
         return spherecap_inline_no_sample();
     }
     const float t1 = fabsf(light->elevation_sin);
-    const bool t2 = 0.0f < light->share;
-    const float t3 = spherecap_inline_min(spherecap_inline_max(u0, 5.9604645e-8f), 0.99999994f);
-    const float t4 = spherecap_inline_min(spherecap_inline_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t5 = t3 < light->share && t2;
-    const float t6 = spherecap_inline_max((t5 ? t3 : t3 - light->share) / (t5 ? light->share : light->rest), 5.9604645e-8f);
-    const float t7 = (0.0f < light->requested && t2) ? spherecap_inline_min(t6, 0.99999994f) : t3;
-    const bool t8 = !(0.0f < light->tau) || t5;
+    const float t2 = spherecap_inline_min(spherecap_inline_max(u0, 5.9604645e-8f), 0.99999994f);
+    const float t3 = spherecap_inline_min(spherecap_inline_max(u1, 5.9604645e-8f), 0.99999994f);
+    const bool t4 = t2 < light->defensive;
+    const float t5 = (t4 ? t2 : t2 - light->defensive) / (t4 ? light->defensive : 1.0f - light->defensive);
+    const float t6 = spherecap_inline_min(spherecap_inline_max(t5, 5.9604645e-8f), 0.99999994f);
+    const float t7 = 0.0f < light->requested ? t6 : t2;
+    const bool t8 = !(0.0f < light->tau) || t4;
     const bool t9 = !(0.0f < light->elevation_sin) && !t8;
     const bool t10 = light->crescent_share <= t7 && !t9;
     const bool t11 = t8 || t10;
-    const float t12 = 1.0f - t4;
-    const float t13 = t4 - t12;
-    const float t14 = 4.0f * t4 * t12;
+    const float t12 = 1.0f - t3;
+    const float t13 = t3 - t12;
+    const float t14 = 4.0f * t3 * t12;
     const float t15 = spherecap_inline_max((t7 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
     const float t16 = t8 ? t7 : spherecap_inline_min(t15, 0.99999994f);
     const float t17 = t8 ? 0.0f : light->beyond;
@@ -816,68 +815,65 @@ static inline spherecap_inline_sample spherecap_inline_front_sample(const sphere
     const float t44 = fmaf(fmaf(fmaf(0.022114987f, t42, -0.063446075f), t42, 0.085662976f), t43, fmaf(fmaf(-0.056249518f, t42, 0.030445365f), t42, 0.0074712755f));
     const float t45 = fmaf(t44, t43, fmaf(fmaf(0.03209764f, t42, 0.09996679f), t42, 1.0000004f));
     const float t46 = t41 * t45;
-    const float t47 = t11 ? spherecap_inline_min(t46, 1.0f) : t46;
-    const float t48 = t24 * t47;
-    const float t49 = 2.0f - t48;
-    const float t50 = t47 * t49;
-    const float t51 = sqrtf(t50);
-    float zenith, side, cosine, t52, t53;
+    const float t47 = t24 * t46;
+    const float t48 = 2.0f - t47;
+    const float t49 = t46 * t48;
+    const float t50 = sqrtf(t49);
+    float zenith, side, cosine, t51, t52;
     if (t11) {
-        const float t54 = t19 - t20 < 0.0f ? t48 : t49;
-        if (t5) {
-            const float t55 = light->height * (1.0f - t50 * t14);
-            const float t56 = sqrtf(light->height * (2.0f - t55));
-            zenith = (t54 - 1.0f) * t56;
-            const float t57 = 1.0f - t55;
-            t53 = fmaf(light->elevation_sin, t57, light->elevation_cos * zenith);
-            t52 = fmaf(light->elevation_cos, t57, -(light->elevation_sin * zenith));
-            side = t51 * t13 * t56;
-            cosine = t53 * light->on_surface;
+        const float t53 = t19 - t20 < 0.0f ? t47 : t48;
+        if (t4) {
+            const float t54 = light->height * (1.0f - t49 * t14);
+            const float t55 = sqrtf(light->height * (2.0f - t54));
+            zenith = (t53 - 1.0f) * t55;
+            const float t56 = 1.0f - t54;
+            t52 = fmaf(light->elevation_sin, t56, light->elevation_cos * zenith);
+            t51 = fmaf(light->elevation_cos, t56, -(light->elevation_sin * zenith));
+            side = t50 * t13 * t55;
+            cosine = t52 * light->on_surface;
         } else {
-            const float t58 = 1.0f - t54;
-            const float t59 = light->radius_sin * light->radius_sin * t14;
-            const float t60 = spherecap_inline_max(fmaf(light->climb, t54, -light->rise), 0.0f);
-            t53 = sqrtf(fmaf(t50, t59, t60 * t60));
-            const float t61 = t1 * light->radius_cos;
-            const float t62 = light->climb * t58;
-            zenith = fmaf(light->elevation_cos, fmaf(t62, t62 - 2.0f * t61, t50 * t59) / (t53 + t61), -(light->half_axis * t1 * t58));
-            t52 = fmaf(light->half_axis, t58, light->middle);
-            side = light->radius_sin * t51 * t13;
-            cosine = t53;
+            const float t57 = 1.0f - t53;
+            const float t58 = light->radius_sin * light->radius_sin * t14;
+            const float t59 = spherecap_inline_max(fmaf(light->climb, t53, -light->rise), 0.0f);
+            t52 = sqrtf(fmaf(t49, t58, t59 * t59));
+            const float t60 = t1 * light->radius_cos;
+            const float t61 = light->climb * t57;
+            zenith = fmaf(light->elevation_cos, fmaf(t61, t61 - 2.0f * t60, t49 * t58) / (t52 + t60), -(light->half_axis * t1 * t57));
+            t51 = fmaf(light->half_axis, t57, light->middle);
+            side = light->radius_sin * t50 * t13;
+            cosine = t52;
         }
     } else {
-        cosine = t51 * t21;
-        t52 = 1.0f - t48;
-        zenith = fmaf(light->elevation_cos, cosine, -((t9 ? -t1 : t1) * t52));
-        side = t51 * t13;
-        t53 = cosine;
+        cosine = t50 * t21;
+        t51 = 1.0f - t47;
+        zenith = fmaf(light->elevation_cos, cosine, -((t9 ? -t1 : t1) * t51));
+        side = t50 * t13;
+        t52 = cosine;
     }
-    const float t63 = light->share * light->inv_solid_angle;
-    const float t64 = 0.0f < cosine ? light->inv_above : 0.0f;
-    const float t65 = spherecap_inline_min(spherecap_inline_max(cosine, 0.0f), 3.4028235e38f);
-    const float t66 = t2 ? fmaf(light->inv_above, light->rest * t65, t63) : light->inv_above * t65;
-    const float t67 = spherecap_inline_max(spherecap_inline_min(fabsf(cosine), 3.4028235e38f), 1.1754944e-38f);
-    const float t68 = spherecap_inline_min(fmaf(t64, light->rest, spherecap_inline_min(t63 / t67, 3.4028235e38f)), 3.4028235e38f);
-    const float t69 = fmaf(zenith, zenith, side * side);
-    const float t70 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t69), 0.0f);
-    const float t71 = sqrtf(t70);
-    const float t72 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t70));
-    const float t73 = light->radius_cos * light->radius_cos / (t72 + t71);
-    const float t74 = 1.0f / light->radius_sin;
-    const float t75 = t73 * t74;
-    const float t76 = -fmaf(t72, t71, t69) * t74;
-    const float t77 = t75 * zenith;
-    const float t78 = t75 * side;
-    const float t79 = fmaf(light->third_axis[0], t52, fmaf(light->sideways[0], side, light->up[0] * t53));
-    const float t80 = fmaf(light->third_axis[1], t52, fmaf(light->sideways[1], side, light->up[1] * t53));
-    const float t81 = fmaf(light->third_axis[2], t52, fmaf(light->sideways[2], side, light->up[2] * t53));
-    const float t82 = fmaf(light->elevation_cos, t76, -(light->elevation_sin * t77));
-    const float t83 = fmaf(light->elevation_sin, t76, light->elevation_cos * t77);
-    const float t84 = fmaf(light->third_axis[0], t82, fmaf(light->sideways[0], t78, light->up[0] * t83));
-    const float t85 = fmaf(light->third_axis[1], t82, fmaf(light->sideways[1], t78, light->up[1] * t83));
-    const float t86 = fmaf(light->third_axis[2], t82, fmaf(light->sideways[2], t78, light->up[2] * t83));
+    const float t62 = fmaf(light->density_above, spherecap_inline_min(spherecap_inline_max(cosine, 0.0f), 3.4028235e38f), light->density);
+    const float t63 = spherecap_inline_max(spherecap_inline_min(fabsf(cosine), 3.4028235e38f), 1.1754944e-38f);
+    const float t64 = (0.0f < cosine ? light->density_above : 0.0f) + spherecap_inline_min(light->density / t63, 3.4028235e38f);
+    const float t65 = fmaf(zenith, zenith, side * side);
+    const float t66 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t65), 0.0f);
+    const float t67 = sqrtf(t66);
+    const float t68 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t66));
+    const float t69 = light->radius_cos * light->radius_cos / (t68 + t67);
+    const float t70 = 1.0f / light->radius_sin;
+    const float t71 = t69 * t70;
+    const float t72 = -fmaf(t68, t67, t65) * t70;
+    const float t73 = t71 * zenith;
+    const float t74 = t71 * side;
+    const float t75 = fmaf(light->third_axis[0], t51, fmaf(light->sideways[0], side, light->up[0] * t52));
+    const float t76 = fmaf(light->third_axis[1], t51, fmaf(light->sideways[1], side, light->up[1] * t52));
+    const float t77 = fmaf(light->third_axis[2], t51, fmaf(light->sideways[2], side, light->up[2] * t52));
+    const float t78 = fmaf(light->elevation_cos, t72, -(light->elevation_sin * t73));
+    const float t79 = fmaf(light->elevation_sin, t72, light->elevation_cos * t73);
+    const float t80 = fmaf(light->third_axis[0], t78, fmaf(light->sideways[0], t74, light->up[0] * t79));
+    const float t81 = fmaf(light->third_axis[1], t78, fmaf(light->sideways[1], t74, light->up[1] * t79));
+    const float t82 = fmaf(light->third_axis[2], t78, fmaf(light->sideways[2], t74, light->up[2] * t79));
     const spherecap_inline_sample result = {
-        {t79, t80, t81}, t73 * light->distance, {t84, t85, t86}, cosine, t66, t2 ? t68 : t64
+        {t75, t76, t77}, t69 * light->distance, {t80, t81, t82}, cosine, t62,
+        spherecap_inline_min(t64, 3.4028235e38f)
     };
     return result;
 }
@@ -902,12 +898,10 @@ static inline float spherecap_inline_front_pdf_direction(const spherecap_inline_
     const bool t7 = fmaf(light->towards_centre[0], direction[0], t1) < 0.0f;
     const float t8 = t7 ? 1.0f : fmaf(t2, direction[0], fmaf(t3, direction[1], t4 * direction[2]));
     const float t9 = t7 ? 1.0f : fmaf(light->sideways[0], direction[0], t5);
-    const float t10 = spherecap_inline_min(spherecap_inline_max(t6, 0.0f), 3.4028235e38f);
-    const float t11 = fmaf(light->inv_above, light->rest * t10, light->share * light->inv_solid_angle);
-    const bool t12 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
-    const float t13 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t14 = (0.998001f <= t13 && t13 <= 1.002001f) ? (t12 ? (0.0f < light->share ? t11 : light->inv_above * t10) : 0.0f) : 0.0f;
-    return t14;
+    const float t10 = fmaf(light->density_above, spherecap_inline_min(spherecap_inline_max(t6, 0.0f), 3.4028235e38f), light->density);
+    const bool t11 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
+    const float t12 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
+    return (0.998001f <= t12 && t12 <= 1.002001f) ? (t11 ? t10 : 0.0f) : 0.0f;
 }
 
 static inline float spherecap_inline_front_pdf_on_sphere(const spherecap_inline_front_light *light, const float direction[3])
@@ -916,11 +910,9 @@ static inline float spherecap_inline_front_pdf_on_sphere(const spherecap_inline_
         return 0.0f;
     }
     const float t1 = fmaf(light->normal[0], direction[0], fmaf(light->normal[1], direction[1], light->normal[2] * direction[2]));
-    const float t2 = spherecap_inline_min(spherecap_inline_max(t1, 0.0f), 3.4028235e38f);
-    const float t3 = fmaf(light->inv_above, light->rest * t2, light->share * light->inv_solid_angle);
-    const float t4 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t5 = (0.998001f <= t4 && t4 <= 1.002001f) ? (0.0f < light->share ? t3 : light->inv_above * t2) : 0.0f;
-    return t5;
+    const float t2 = fmaf(light->density_above, spherecap_inline_min(spherecap_inline_max(t1, 0.0f), 3.4028235e38f), light->density);
+    const float t3 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
+    return (0.998001f <= t3 && t3 <= 1.002001f) ? t2 : 0.0f;
 }
 
 static inline float spherecap_inline_front_importance(const float normal[3], const float centre[3], float radius, float defensive, float strength)
@@ -987,16 +979,14 @@ typedef struct spherecap_inline_both_light {
     float width;
     float cut;
     float rise;
-    float defensive_share;
-    float defensive_rest;
+    float defensive;
     float requested;
-    float inv_above;
-    float inv_below;
-    float sides_share;
-    float sides_rest;
+    float above;
+    float density_above;
+    float density_below;
     float third_axis[3];
     float height;
-    float inv_solid_angle;
+    float density;
     float crescent_share;
     float inv_rest;
     float beyond;
@@ -1183,90 +1173,93 @@ static inline spherecap_inline_both_light spherecap_inline_both_prepare(const fl
     const float projected_below = (9.403955e-38f < t101 && t103) ? t101 : 0.0f;
     const bool t105 = 0.0f < projected_above;
     const bool t106 = 0.0f < projected_below;
-    const float inv_above = t105 ? 1.0f / projected_above : 0.0f;
-    const float inv_below = t106 ? 1.0f / projected_below : 0.0f;
-    const float t107 = t75 ? inv_above : inv_below;
-    const bool t108 = 0.0f < t107 && t74;
-    const float t109 = t_y * t_y * t_y * shape * t107;
-    const float t110 = t_y / radius_sin;
-    const float t111 = fmaf(cut - t_x, shape_difference, shape);
+    const float t107 = t105 ? 1.0f / projected_above : 0.0f;
+    const float t108 = t106 ? 1.0f / projected_below : 0.0f;
+    const float t109 = t75 ? t107 : t108;
+    const bool t110 = 0.0f < t109 && t74;
+    const float t111 = t_y * t_y * t_y * shape * t109;
+    const float t112 = t_y / radius_sin;
+    const float t113 = fmaf(cut - t_x, shape_difference, shape);
     float b_0 = 0.0f, b_1 = 0.0f, b_2 = 0.0f, b_3 = 0.0f, b_4 = 0.0f, b_5 = 0.0f, b_6 = 0.0f;
     if (t74) {
-        const float t112 = 1.0f + kappa;
-        const float t113 = t112 * shape;
-        const float t114 = 1.0f / (norm * t113);
-        const float t115 = sqrtf(t114);
-        b_0 = norm * t115;
-        const float t116 = 1.0f / (1.0f + cut);
-        const float t117 = (t_x + kappa) * t116 - 0.5f;
-        const float t118 = t117 * t117 * t117;
-        const float t119 = fmaf(fmaf(fmaf(-0.026061837f, t117, 0.05430631f), t117, -0.06372378f), t118, fmaf(fmaf(0.080950715f, t117, -0.11762552f), t117, 0.1684019f));
-        const float t120 = fmaf(t119, t118, fmaf(fmaf(-0.23594604f, t117, 0.32709444f), t117, -0.44721135f));
-        const float t121 = fmaf(t120, t118, fmaf(fmaf(0.5987523f, t117, -0.7754678f), t117, 0.94559944f));
-        const float t122 = t112 * t121 * (t116 * t116 * t116) * (t113 * t114);
-        const float t123 = fmaf(t122, t113 * t115, -1.0f);
-        const float t124 = 1.0f - t122;
-        const float t125 = fmaf(fmaf(30.011856f, t123, fmaf(-41.541264f, t124, -37.009792f)), t123, fmaf(77.96775f, t124, 7.470758f));
-        const float t126 = fmaf(t125, t123, fmaf(fmaf(-49.13454f, t124, -9.466533f), t124, -1.5877596f));
-        const float t127 = fmaf(fmaf(fmaf(15.716111f, t124, 0.0f), t124, 9.961183f), t124, -2.61785f);
-        const float t128 = t123 * fmaf(t126, t123, fmaf(t127, t124, 0.8681748f));
-        const float t129 = fmaf(fmaf(7.295638f, t123, -7.236236f), t123, fmaf(fmaf(fmaf(-11.4868555f, t124, 0.0f), t124, 0.0f), t124, 3.1255686f));
-        const float t130 = fmaf(fmaf(fmaf(13.728438f, t124, -7.981878f), t124, 2.025724f), t124, -0.7334958f);
-        const float t131 = t123 * fmaf(t129, t123, t130);
-        const float t132 = fmaf(fmaf(fmaf(9.986537f, t124, 25.22195f), t124, 0.0f), t124, -2.9581387f);
-        const float t133 = fmaf(fmaf(fmaf(-19.722994f, t124, 4.6594768f), t124, -0.89538246f), t124, 0.5143498f);
-        const float t134 = t123 * fmaf(fmaf(fmaf(-23.220068f, t124, 7.332055f), t123, t132), t123, t133);
-        const float t135 = fmaf(fmaf(fmaf(1.946617f, t123, -3.077631f), t123, 1.4945927f), t123, -0.24140751f);
-        const float t136 = t123 * t135;
-        const float t137 = t123 * fmaf(fmaf(0.38173297f, t123, -0.30305624f), t123, 0.05897375f);
-        b_1 = t122 - b_0 + t128;
-        b_2 = t131 - t128;
-        b_3 = t134 - t131;
-        b_4 = t136 - t134;
-        b_5 = t137 - t136;
-        b_6 = -t137;
+        const float t114 = 1.0f + kappa;
+        const float t115 = t114 * shape;
+        const float t116 = 1.0f / (norm * t115);
+        const float t117 = sqrtf(t116);
+        b_0 = norm * t117;
+        const float t118 = 1.0f / (1.0f + cut);
+        const float t119 = (t_x + kappa) * t118 - 0.5f;
+        const float t120 = t119 * t119 * t119;
+        const float t121 = fmaf(fmaf(fmaf(-0.026061837f, t119, 0.05430631f), t119, -0.06372378f), t120, fmaf(fmaf(0.080950715f, t119, -0.11762552f), t119, 0.1684019f));
+        const float t122 = fmaf(t121, t120, fmaf(fmaf(-0.23594604f, t119, 0.32709444f), t119, -0.44721135f));
+        const float t123 = fmaf(t122, t120, fmaf(fmaf(0.5987523f, t119, -0.7754678f), t119, 0.94559944f));
+        const float t124 = t114 * t123 * (t118 * t118 * t118) * (t115 * t116);
+        const float t125 = fmaf(t124, t115 * t117, -1.0f);
+        const float t126 = 1.0f - t124;
+        const float t127 = fmaf(fmaf(30.011856f, t125, fmaf(-41.541264f, t126, -37.009792f)), t125, fmaf(77.96775f, t126, 7.470758f));
+        const float t128 = fmaf(t127, t125, fmaf(fmaf(-49.13454f, t126, -9.466533f), t126, -1.5877596f));
+        const float t129 = fmaf(fmaf(fmaf(15.716111f, t126, 0.0f), t126, 9.961183f), t126, -2.61785f);
+        const float t130 = t125 * fmaf(t128, t125, fmaf(t129, t126, 0.8681748f));
+        const float t131 = fmaf(fmaf(7.295638f, t125, -7.236236f), t125, fmaf(fmaf(fmaf(-11.4868555f, t126, 0.0f), t126, 0.0f), t126, 3.1255686f));
+        const float t132 = fmaf(fmaf(fmaf(13.728438f, t126, -7.981878f), t126, 2.025724f), t126, -0.7334958f);
+        const float t133 = t125 * fmaf(t131, t125, t132);
+        const float t134 = fmaf(fmaf(fmaf(9.986537f, t126, 25.22195f), t126, 0.0f), t126, -2.9581387f);
+        const float t135 = fmaf(fmaf(fmaf(-19.722994f, t126, 4.6594768f), t126, -0.89538246f), t126, 0.5143498f);
+        const float t136 = t125 * fmaf(fmaf(fmaf(-23.220068f, t126, 7.332055f), t125, t134), t125, t135);
+        const float t137 = fmaf(fmaf(fmaf(1.946617f, t125, -3.077631f), t125, 1.4945927f), t125, -0.24140751f);
+        const float t138 = t125 * t137;
+        const float t139 = t125 * fmaf(fmaf(0.38173297f, t125, -0.30305624f), t125, 0.05897375f);
+        b_1 = t124 - b_0 + t130;
+        b_2 = t133 - t130;
+        b_3 = t136 - t133;
+        b_4 = t138 - t136;
+        b_5 = t139 - t138;
+        b_6 = -t139;
     }
-    const float defensive_share = (!(t105 || t106) && (0.0f < defensive || !(0.0f < on_surface))) ? 1.0f : defensive;
-    const bool t138 = 0.0f < defensive_share;
-    const float t139 = (0.0f < radius_cos && t102) ? t98 / (1.0f + radius_cos) : 0.0f;
-    const float inv_solid_angle = t138 ? (0.0f < t139 ? 0.15915494f / t139 : 0.0f) : 0.0f;
-    float t140 = 0.0f;
+    const float t140 = (!(t105 || t106) && (0.0f < defensive || !(0.0f < on_surface))) ? 1.0f : defensive;
+    const bool t141 = 0.0f < t140;
+    const float t142 = (0.0f < radius_cos && t102) ? t98 / (1.0f + radius_cos) : 0.0f;
+    const float density = t141 ? t140 * (0.0f < t142 ? 0.15915494f / t142 : 0.0f) : 0.0f;
+    const float t143 = 1.0f - t140;
+    float t144 = 0.0f;
     if (0.0f < tau) {
-        const float t141 = 1.0f / (elevation_cos * elevation_cos);
-        const float t142 = tau * tau;
-        const float t143 = t142 * t141 / (1.0f + t_x);
-        const float t144 = kappa - 0.5f;
-        const float t145 = cut - 0.5f;
-        const float t146 = t144 * t144;
-        const float t147 = t145 * t145;
-        const float t148 = fmaf(0.05430631f, t146, 0.080950715f);
-        const float t149 = fmaf(t148, t146, 0.1684019f);
-        const float t150 = fmaf(t149, t146, 0.32709444f);
-        const float t151 = fmaf(fmaf(fmaf(fmaf(0.05430631f, t147, t148), t147, t149), t147, t150), t147, fmaf(t150, t146, 0.5987523f));
-        const float t152 = fmaf(-0.026061837f, t146, -0.06372378f);
-        const float t153 = fmaf(t152, t146, -0.11762552f);
-        const float t154 = fmaf(t153, t146, -0.23594604f);
-        const float t155 = fmaf(t154, t146, -0.44721135f);
-        const float t156 = fmaf(fmaf(fmaf(fmaf(-0.026061837f, t147, t152), t147, t153), t147, t154), t147, t155);
-        const float t157 = fmaf(kappa * t143, fmaf(fmaf(t145, t156, t151), t144 + t145, fmaf(t155, t146, -0.7754678f)), fmaf(t111, t143 - kappa * kappa, kappa) * t141);
-        const float t158 = spherecap_inline_max(t142 * tau * (radius_cos + 1.0f) * t157 * 0.31830987f, 0.0f);
-        t140 = spherecap_inline_min(t158, 0.5f);
+        const float t145 = 1.0f / (elevation_cos * elevation_cos);
+        const float t146 = tau * tau;
+        const float t147 = t146 * t145 / (1.0f + t_x);
+        const float t148 = kappa - 0.5f;
+        const float t149 = cut - 0.5f;
+        const float t150 = t148 * t148;
+        const float t151 = t149 * t149;
+        const float t152 = fmaf(0.05430631f, t150, 0.080950715f);
+        const float t153 = fmaf(t152, t150, 0.1684019f);
+        const float t154 = fmaf(t153, t150, 0.32709444f);
+        const float t155 = fmaf(fmaf(fmaf(fmaf(0.05430631f, t151, t152), t151, t153), t151, t154), t151, fmaf(t154, t150, 0.5987523f));
+        const float t156 = fmaf(-0.026061837f, t150, -0.06372378f);
+        const float t157 = fmaf(t156, t150, -0.11762552f);
+        const float t158 = fmaf(t157, t150, -0.23594604f);
+        const float t159 = fmaf(t158, t150, -0.44721135f);
+        const float t160 = fmaf(fmaf(fmaf(fmaf(-0.026061837f, t151, t156), t151, t157), t151, t158), t151, t159);
+        const float t161 = fmaf(kappa * t147, fmaf(fmaf(t149, t160, t155), t148 + t149, fmaf(t159, t150, -0.7754678f)), fmaf(t113, t147 - kappa * kappa, kappa) * t145);
+        const float t162 = spherecap_inline_max(t146 * tau * (radius_cos + 1.0f) * t161 * 0.31830987f, 0.0f);
+        t144 = spherecap_inline_min(t162, 0.5f);
     }
-    const float t159 = 1.0f - t140;
-    const bool t160 = 0.0f < inv_below;
-    const bool t161 = 0.0f < inv_above;
-    const bool t162 = 0.0f < inv_solid_angle && t138;
-    const bool t163 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && distance <= 3.4028235e38f && (0.0f < inv_above + inv_below || t162);
+    const float t163 = 1.0f - t144;
+    const bool t164 = 0.0f < t108;
+    const bool t165 = 0.0f < t107;
+    const float above = t164 ? (t165 ? (t75 ? t163 : t144) : 0.0f) : 1.0f;
+    const float density_above = t107 * above * t143;
+    const float density_below = t108 * (t165 ? (t164 ? (t75 ? t144 : t163) : 0.0f) : 1.0f) * t143;
+    const bool t166 = distance <= 3.4028235e38f && 0.0f < density_above + density_below + density;
+    const bool t167 = 0.0f <= defensive && defensive <= 1.0f && t8 <= 2.0f && 0.0f < radius && t166;
     const spherecap_inline_both_light result = {
-        t163, t163 ? t139 * 6.2831855f : 0.0f, t163 ? projected_above : 0.0f,
+        t167, t167 ? t142 * 6.2831855f : 0.0f, t167 ? projected_above : 0.0f,
         {t13 * t71, t14 * t71, t15 * t71}, {sideways_x, sideways_y, sideways_z},
         {normal_x, normal_y, normal_z}, {up_x, up_y, up_z}, on_surface, distance, radius_sin, radius_cos,
-        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, defensive_share, 1.0f - defensive_share,
-        defensive, inv_above, inv_below, t160 ? (t161 ? (t75 ? t159 : t140) : 0.0f) : 1.0f,
-        t161 ? (t160 ? (t75 ? t140 : t159) : 0.0f) : 1.0f,
+        elevation_sin, elevation_cos, tau, kappa, width, cut, rise, t140, defensive, above, density_above,
+        density_below,
         {fmaf(sideways_y, up_z, -(sideways_z * up_y)), fmaf(sideways_z, up_x, -(sideways_x * up_z)), fmaf(sideways_x, up_y, -(sideways_y * up_x))},
-        t138 ? t139 : 0.0f, inv_solid_angle, t108 ? t109 : 0.0f, t108 ? 1.0f / (1.0f - t109) : 1.0f,
-        t108 ? t110 * t110 * t110 * (t111 * 0.53033006f) : 0.0f, elevation_cos * radius_cos,
+        t141 ? t142 : 0.0f, density, t110 ? t111 : 0.0f, t110 ? 1.0f / (1.0f - t111) : 1.0f,
+        t110 ? t112 * t112 * t112 * (t113 * 0.53033006f) : 0.0f, elevation_cos * radius_cos,
         radius_sin * t97, climb, b_0, b_1, b_2, b_3, b_4, b_5, b_6
     };
     return result;
@@ -1279,132 +1272,128 @@ static inline spherecap_inline_sample spherecap_inline_both_sample(const spherec
     }
     const bool t1 = 0.0f < light->elevation_sin;
     const float t2 = fabsf(light->elevation_sin);
-    const bool t3 = 0.0f < light->defensive_share;
-    const float t4 = spherecap_inline_min(spherecap_inline_max(u0, 5.9604645e-8f), 0.99999994f);
-    const float t5 = spherecap_inline_min(spherecap_inline_max(u1, 5.9604645e-8f), 0.99999994f);
-    const bool t6 = t4 < light->defensive_share && t3;
-    const float t7 = (t6 ? t4 : t4 - light->defensive_share) / (t6 ? light->defensive_share : light->defensive_rest);
-    const float t8 = spherecap_inline_min(spherecap_inline_max(t7, 5.9604645e-8f), 0.99999994f);
-    const float t9 = (0.0f < light->requested && t3) ? t8 : t4;
-    const bool t10 = t9 < light->sides_share || t6;
-    const float t11 = (t10 ? t9 : t9 - light->sides_share) / (t10 ? light->sides_share : light->sides_rest);
-    const float t12 = spherecap_inline_min(spherecap_inline_max(t11, 5.9604645e-8f), 0.99999994f);
-    const bool t13 = t10 && t1;
-    const bool t14 = !t10 && !t1;
-    const float t15 = t6 ? t9 : t12;
-    const bool t16 = !(0.0f < light->tau) || t6;
-    const bool t17 = !(t13 || t14) && !t16;
-    const bool t18 = light->crescent_share <= t15 && !t17;
-    const bool t19 = t16 || t18;
-    const float t20 = 1.0f - t5;
-    const float t21 = t5 - t20;
-    const float t22 = 4.0f * t5 * t20;
-    const float t23 = spherecap_inline_max((t15 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
-    const float t24 = t16 ? t15 : spherecap_inline_min(t23, 0.99999994f);
-    const float t25 = t16 ? 0.0f : light->beyond;
-    const float t26 = 1.6660811f - t25;
-    const float t27 = fmaf(t24, t26, t25);
-    const float t28 = (1.0f - t24) * t26;
-    float t30, t31, t32;
-    float t29 = 0.0f;
-    if (t19) {
-        t30 = spherecap_inline_min(t27, t28);
+    const float t3 = spherecap_inline_min(spherecap_inline_max(u0, 5.9604645e-8f), 0.99999994f);
+    const float t4 = spherecap_inline_min(spherecap_inline_max(u1, 5.9604645e-8f), 0.99999994f);
+    const bool t5 = t3 < light->defensive;
+    const float t6 = (t5 ? t3 : t3 - light->defensive) / (t5 ? light->defensive : 1.0f - light->defensive);
+    const float t7 = spherecap_inline_min(spherecap_inline_max(t6, 5.9604645e-8f), 0.99999994f);
+    const float t8 = 0.0f < light->requested ? t7 : t3;
+    const bool t9 = t8 < light->above || t5;
+    const float t10 = (t9 ? t8 : t8 - light->above) / (t9 ? light->above : 1.0f - light->above);
+    const float t11 = spherecap_inline_min(spherecap_inline_max(t10, 5.9604645e-8f), 0.99999994f);
+    const bool t12 = t9 && t1;
+    const bool t13 = !t9 && !t1;
+    const float t14 = t5 ? t8 : t11;
+    const bool t15 = !(0.0f < light->tau) || t5;
+    const bool t16 = !(t12 || t13) && !t15;
+    const bool t17 = light->crescent_share <= t14 && !t16;
+    const bool t18 = t15 || t17;
+    const float t19 = 1.0f - t4;
+    const float t20 = t4 - t19;
+    const float t21 = 4.0f * t4 * t19;
+    const float t22 = spherecap_inline_max((t14 - light->crescent_share) * light->inv_rest, 5.9604645e-8f);
+    const float t23 = t15 ? t14 : spherecap_inline_min(t22, 0.99999994f);
+    const float t24 = t15 ? 0.0f : light->beyond;
+    const float t25 = 1.6660811f - t24;
+    const float t26 = fmaf(t23, t25, t24);
+    const float t27 = (1.0f - t23) * t25;
+    float t29, t30, t31;
+    float t28 = 0.0f;
+    if (t18) {
+        t29 = spherecap_inline_min(t26, t27);
+        t30 = 1.0f;
         t31 = 1.0f;
-        t32 = 1.0f;
     } else {
-        const float t33 = sqrtf(t22);
-        const float t34 = fmaf(fmaf(fmaf(light->b_6, t22, light->b_4), t22, light->b_2), t22, light->b_0);
-        const float t35 = t33 * fmaf(fmaf(fmaf(light->b_5, t22, light->b_3), t22, light->b_1), t33, t34);
-        const float t36 = sqrtf(fmaf(t21, t21, t35 * t35));
-        const float t37 = light->tau * t35;
-        t32 = t17 ? fmaf(t21, t21, t37 * t37) : 1.0f;
-        const float t38 = t17 ? fmaf(light->kappa, t35, t36) * fmaf(light->cut, t35, t36) : light->crescent_share;
-        const float t39 = (t17 ? light->width : t15) / t38;
-        const float t40 = spherecap_inline_min(spherecap_inline_max(t39, 5.9604645e-8f), 0.99999994f);
-        const float t41 = t17 ? t39 : light->width;
-        const float t42 = t32 * t41;
-        const float t43 = fmaf(fmaf(fmaf(-0.00060778117f, t42, 1.0676054e-5f), t42, -0.0027203285f), t42 * t42 * t42, fmaf(fmaf(-0.011332183f, t42, -0.10000902f), t42, 1.0000001f));
-        t29 = t17 ? t37 : t33;
-        t30 = t17 ? t15 : t40;
-        t31 = t41 * t43;
+        const float t32 = sqrtf(t21);
+        const float t33 = fmaf(fmaf(fmaf(light->b_6, t21, light->b_4), t21, light->b_2), t21, light->b_0);
+        const float t34 = t32 * fmaf(fmaf(fmaf(light->b_5, t21, light->b_3), t21, light->b_1), t32, t33);
+        const float t35 = sqrtf(fmaf(t20, t20, t34 * t34));
+        const float t36 = light->tau * t34;
+        t31 = t16 ? fmaf(t20, t20, t36 * t36) : 1.0f;
+        const float t37 = t16 ? fmaf(light->kappa, t34, t35) * fmaf(light->cut, t34, t35) : light->crescent_share;
+        const float t38 = (t16 ? light->width : t14) / t37;
+        const float t39 = spherecap_inline_min(spherecap_inline_max(t38, 5.9604645e-8f), 0.99999994f);
+        const float t40 = t16 ? t38 : light->width;
+        const float t41 = t31 * t40;
+        const float t42 = fmaf(fmaf(fmaf(-0.00060778117f, t41, 1.0676054e-5f), t41, -0.0027203285f), t41 * t41 * t41, fmaf(fmaf(-0.011332183f, t41, -0.10000902f), t41, 1.0000001f));
+        t28 = t16 ? t36 : t32;
+        t29 = t16 ? t14 : t39;
+        t30 = t40 * t42;
     }
-    const float t44 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t30), -0.33333334f, 1419900500.0f));
-    const float t45 = t30 * t44;
-    const float t46 = fmaf(-t45, t44 * t44, 1.0f);
-    const float t47 = t46 * t46;
-    const float t48 = fmaf(fmaf(0.12666093f, t47, fmaf(0.14565912f, t46, 0.17283025f)), t47, fmaf(0.22221696f, t46, 0.33333334f));
-    const float t49 = t31 * fmaf(t45 * t46, t48, t45);
-    const float t50 = t49 * t32;
-    const float t51 = t50 * t50 * t50;
-    const float t52 = fmaf(fmaf(fmaf(0.022114987f, t50, -0.063446075f), t50, 0.085662976f), t51, fmaf(fmaf(-0.056249518f, t50, 0.030445365f), t50, 0.0074712755f));
-    const float t53 = fmaf(t52, t51, fmaf(fmaf(0.03209764f, t50, 0.09996679f), t50, 1.0000004f));
-    const float t54 = t49 * t53;
-    const float t55 = t19 ? spherecap_inline_min(t54, 1.0f) : t54;
-    const float t56 = t32 * t55;
-    const float t57 = 2.0f - t56;
-    const float t58 = t55 * t57;
-    const float t59 = sqrtf(t58);
-    float side, t60, t61, t62, t63;
-    if (t19) {
-        const float t64 = t27 - t28 < 0.0f ? t56 : t57;
-        if (t6) {
-            const float t65 = light->height * (1.0f - t58 * t22);
-            const float t66 = sqrtf(light->height * (2.0f - t65));
-            t62 = (t64 - 1.0f) * t66;
-            const float t67 = 1.0f - t65;
-            t61 = fmaf(light->elevation_sin, t67, light->elevation_cos * t62);
-            t60 = fmaf(light->elevation_cos, t67, -(light->elevation_sin * t62));
-            side = t59 * t21 * t66;
-            t63 = t61 * light->on_surface;
+    const float t43 = spherecap_inline_float_of_bits(fmaf(spherecap_inline_bits(t29), -0.33333334f, 1419900500.0f));
+    const float t44 = t29 * t43;
+    const float t45 = fmaf(-t44, t43 * t43, 1.0f);
+    const float t46 = t45 * t45;
+    const float t47 = fmaf(fmaf(0.12666093f, t46, fmaf(0.14565912f, t45, 0.17283025f)), t46, fmaf(0.22221696f, t45, 0.33333334f));
+    const float t48 = t30 * fmaf(t44 * t45, t47, t44);
+    const float t49 = t48 * t31;
+    const float t50 = t49 * t49 * t49;
+    const float t51 = fmaf(fmaf(fmaf(0.022114987f, t49, -0.063446075f), t49, 0.085662976f), t50, fmaf(fmaf(-0.056249518f, t49, 0.030445365f), t49, 0.0074712755f));
+    const float t52 = fmaf(t51, t50, fmaf(fmaf(0.03209764f, t49, 0.09996679f), t49, 1.0000004f));
+    const float t53 = t48 * t52;
+    const float t54 = t31 * t53;
+    const float t55 = 2.0f - t54;
+    const float t56 = t53 * t55;
+    const float t57 = sqrtf(t56);
+    float side, t58, t59, t60, t61;
+    if (t18) {
+        const float t62 = t26 - t27 < 0.0f ? t54 : t55;
+        if (t5) {
+            const float t63 = light->height * (1.0f - t56 * t21);
+            const float t64 = sqrtf(light->height * (2.0f - t63));
+            t60 = (t62 - 1.0f) * t64;
+            const float t65 = 1.0f - t63;
+            t59 = fmaf(light->elevation_sin, t65, light->elevation_cos * t60);
+            t58 = fmaf(light->elevation_cos, t65, -(light->elevation_sin * t60));
+            side = t57 * t20 * t64;
+            t61 = t59 * light->on_surface;
         } else {
-            const float t68 = 1.0f - t64;
-            const float t69 = light->radius_sin * light->radius_sin * t22;
-            const float t70 = spherecap_inline_max(fmaf(light->climb, t64, -light->rise), 0.0f);
-            t61 = sqrtf(fmaf(t58, t69, t70 * t70));
-            const float t71 = t2 * light->radius_cos;
-            const float t72 = light->climb * t68;
-            t62 = fmaf(light->elevation_cos, fmaf(t72, t72 - 2.0f * t71, t58 * t69) / (t61 + t71), -(light->half_axis * t2 * t68));
-            t60 = fmaf(light->half_axis, t68, light->middle);
-            side = light->radius_sin * t59 * t21;
-            t63 = t61;
+            const float t66 = 1.0f - t62;
+            const float t67 = light->radius_sin * light->radius_sin * t21;
+            const float t68 = spherecap_inline_max(fmaf(light->climb, t62, -light->rise), 0.0f);
+            t59 = sqrtf(fmaf(t56, t67, t68 * t68));
+            const float t69 = t2 * light->radius_cos;
+            const float t70 = light->climb * t66;
+            t60 = fmaf(light->elevation_cos, fmaf(t70, t70 - 2.0f * t69, t56 * t67) / (t59 + t69), -(light->half_axis * t2 * t66));
+            t58 = fmaf(light->half_axis, t66, light->middle);
+            side = light->radius_sin * t57 * t20;
+            t61 = t59;
         }
     } else {
-        t61 = t59 * t29;
-        t60 = 1.0f - t56;
-        side = t59 * t21;
-        t62 = fmaf(light->elevation_cos, t61, -((t17 ? -t2 : t2) * t60));
-        t63 = t61;
+        t59 = t57 * t28;
+        t58 = 1.0f - t54;
+        side = t57 * t20;
+        t60 = fmaf(light->elevation_cos, t59, -((t16 ? -t2 : t2) * t58));
+        t61 = t59;
     }
-    const float t73 = t10 ? 1.0f : -1.0f;
-    const float zenith = t62 * t73;
-    const float cosine = t63 * t73;
-    const float t74 = t61 * t73;
-    const float t75 = light->defensive_share * light->inv_solid_angle;
-    const float t76 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
-    const float t77 = 0.0f < cosine ? light->inv_above * light->sides_share : cosine < 0.0f ? light->inv_below * light->sides_rest : 0.0f;
-    const float t78 = spherecap_inline_min(t75 / spherecap_inline_max(t76, 1.1754944e-38f), 3.4028235e38f);
-    const float t79 = spherecap_inline_min(fmaf(t77, light->defensive_rest, t78), 3.4028235e38f);
-    const float t80 = fmaf(zenith, zenith, side * side);
-    const float t81 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t80), 0.0f);
-    const float t82 = sqrtf(t81);
-    const float t83 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t81));
-    const float t84 = light->radius_cos * light->radius_cos / (t83 + t82);
-    const float t85 = 1.0f / light->radius_sin;
-    const float t86 = t84 * t85;
-    const float t87 = -fmaf(t83, t82, t80) * t85;
-    const float t88 = t86 * zenith;
-    const float t89 = t86 * side;
-    const float t90 = fmaf(light->third_axis[0], t60, fmaf(light->sideways[0], side, light->up[0] * t74));
-    const float t91 = fmaf(light->third_axis[1], t60, fmaf(light->sideways[1], side, light->up[1] * t74));
-    const float t92 = fmaf(light->third_axis[2], t60, fmaf(light->sideways[2], side, light->up[2] * t74));
-    const float t93 = fmaf(light->elevation_cos, t87, -(light->elevation_sin * t88));
-    const float t94 = fmaf(light->elevation_sin, t87, light->elevation_cos * t88);
-    const float t95 = fmaf(light->third_axis[0], t93, fmaf(light->sideways[0], t89, light->up[0] * t94));
-    const float t96 = fmaf(light->third_axis[1], t93, fmaf(light->sideways[1], t89, light->up[1] * t94));
-    const float t97 = fmaf(light->third_axis[2], t93, fmaf(light->sideways[2], t89, light->up[2] * t94));
+    const float t71 = t9 ? 1.0f : -1.0f;
+    const float zenith = t60 * t71;
+    const float cosine = t61 * t71;
+    const float t72 = t59 * t71;
+    const float t73 = spherecap_inline_min(fabsf(cosine), 3.4028235e38f);
+    const float t74 = 0.0f < cosine ? light->density_above : cosine < 0.0f ? light->density_below : 0.0f;
+    const float t75 = spherecap_inline_min(light->density / spherecap_inline_max(t73, 1.1754944e-38f), 3.4028235e38f);
+    const float t76 = fmaf(zenith, zenith, side * side);
+    const float t77 = spherecap_inline_max(fmaf(light->radius_sin, light->radius_sin, -t76), 0.0f);
+    const float t78 = sqrtf(t77);
+    const float t79 = sqrtf(fmaf(light->radius_cos, light->radius_cos, t77));
+    const float t80 = light->radius_cos * light->radius_cos / (t79 + t78);
+    const float t81 = 1.0f / light->radius_sin;
+    const float t82 = t80 * t81;
+    const float t83 = -fmaf(t79, t78, t76) * t81;
+    const float t84 = t82 * zenith;
+    const float t85 = t82 * side;
+    const float t86 = fmaf(light->third_axis[0], t58, fmaf(light->sideways[0], side, light->up[0] * t72));
+    const float t87 = fmaf(light->third_axis[1], t58, fmaf(light->sideways[1], side, light->up[1] * t72));
+    const float t88 = fmaf(light->third_axis[2], t58, fmaf(light->sideways[2], side, light->up[2] * t72));
+    const float t89 = fmaf(light->elevation_cos, t83, -(light->elevation_sin * t84));
+    const float t90 = fmaf(light->elevation_sin, t83, light->elevation_cos * t84);
+    const float t91 = fmaf(light->third_axis[0], t89, fmaf(light->sideways[0], t85, light->up[0] * t90));
+    const float t92 = fmaf(light->third_axis[1], t89, fmaf(light->sideways[1], t85, light->up[1] * t90));
+    const float t93 = fmaf(light->third_axis[2], t89, fmaf(light->sideways[2], t85, light->up[2] * t90));
     const spherecap_inline_sample result = {
-        {t90, t91, t92}, t84 * light->distance, {t95, t96, t97}, cosine,
-        t3 ? fmaf(t77, light->defensive_rest * t76, t75) : t77 * t76, t3 ? t79 : t77
+        {t86, t87, t88}, t80 * light->distance, {t91, t92, t93}, cosine, fmaf(t74, t73, light->density),
+        spherecap_inline_min(t74 + t75, 3.4028235e38f)
     };
     return result;
 }
@@ -1429,13 +1418,11 @@ static inline float spherecap_inline_both_pdf_direction(const spherecap_inline_b
     const bool t7 = fmaf(light->towards_centre[0], direction[0], t1) < 0.0f;
     const float t8 = t7 ? 1.0f : fmaf(t2, direction[0], fmaf(t3, direction[1], t4 * direction[2]));
     const float t9 = t7 ? 1.0f : fmaf(light->sideways[0], direction[0], t5);
-    const float t10 = spherecap_inline_min(fabsf(t6), 3.4028235e38f);
-    const float t11 = 0.0f < t6 ? light->inv_above * light->sides_share : t6 < 0.0f ? light->inv_below * light->sides_rest : 0.0f;
-    const float t12 = fmaf(t11, light->defensive_rest * t10, light->defensive_share * light->inv_solid_angle);
-    const bool t13 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
-    const float t14 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t15 = (0.998001f <= t14 && t14 <= 1.002001f) ? (t13 ? (0.0f < light->defensive_share ? t12 : t11 * t10) : 0.0f) : 0.0f;
-    return t15;
+    const float t10 = 0.0f < t6 ? light->density_above : t6 < 0.0f ? light->density_below : 0.0f;
+    const float t11 = fmaf(t10, spherecap_inline_min(fabsf(t6), 3.4028235e38f), light->density);
+    const bool t12 = fmaf(t8, t8, t9 * t9) <= light->radius_sin * light->radius_sin * 1.0000019f;
+    const float t13 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
+    return (0.998001f <= t13 && t13 <= 1.002001f) ? (t12 ? t11 : 0.0f) : 0.0f;
 }
 
 static inline float spherecap_inline_both_pdf_on_sphere(const spherecap_inline_both_light *light, const float direction[3])
@@ -1444,12 +1431,10 @@ static inline float spherecap_inline_both_pdf_on_sphere(const spherecap_inline_b
         return 0.0f;
     }
     const float t1 = fmaf(light->normal[0], direction[0], fmaf(light->normal[1], direction[1], light->normal[2] * direction[2]));
-    const float t2 = spherecap_inline_min(fabsf(t1), 3.4028235e38f);
-    const float t3 = 0.0f < t1 ? light->inv_above * light->sides_share : t1 < 0.0f ? light->inv_below * light->sides_rest : 0.0f;
-    const float t4 = fmaf(t3, light->defensive_rest * t2, light->defensive_share * light->inv_solid_angle);
-    const float t5 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
-    const float t6 = (0.998001f <= t5 && t5 <= 1.002001f) ? (0.0f < light->defensive_share ? t4 : t3 * t2) : 0.0f;
-    return t6;
+    const float t2 = 0.0f < t1 ? light->density_above : t1 < 0.0f ? light->density_below : 0.0f;
+    const float t3 = fmaf(direction[0], direction[0], fmaf(direction[1], direction[1], direction[2] * direction[2]));
+    const float t4 = (0.998001f <= t3 && t3 <= 1.002001f) ? fmaf(t2, spherecap_inline_min(fabsf(t1), 3.4028235e38f), light->density) : 0.0f;
+    return t4;
 }
 
 static inline float spherecap_inline_both_importance(const float normal[3], const float centre[3], float radius, float defensive, float strength)

@@ -28,11 +28,12 @@ use crate::lane::{branch, broadcast_fields, lit, Lane};
 use crate::strategy::{Hemispheres, Strategy, Technique};
 use crate::vec3::Vec3;
 use core::f64::consts::PI;
+use crescent::Areas;
 use frame::Frame;
 use horizon::Horizon;
 use sphere::{Lengths, Sphere};
 
-pub(crate) use crescent::Crescent;
+pub(crate) use crescent::{Crescent, Cut};
 
 /// A sphere as seen from a point on a surface: the geometry that every technique shares.
 ///
@@ -139,17 +140,17 @@ impl<L: Lane> View<L> {
         Case { is_cut, is_centre_above: zero.lt(self.elevation_sin) }
     }
 
-    /// What it cuts off, where it does, and `X d`: `(X d)^2 = d^2 - h^2` is the sum of two positives there.
+    /// What it cuts off, where it does: `(X d)^2 = d^2 - h^2` is the sum of two positives there.
     #[inline(always)]
-    pub(crate) fn cut(&self) -> (Crescent<L>, L) {
+    pub(crate) fn cut(&self) -> Cut<L> {
         let x_d = (self.sphere.gap + self.horizon.circle2).sqrt();
-        (Crescent::new(&self.sphere, &self.horizon, self.v_d, x_d), x_d)
+        Cut::new(&self.sphere, &self.horizon, self.v_d, x_d)
     }
 
     /// The same elsewhere.
     #[inline(always)]
-    pub(crate) fn uncut(&self) -> (Crescent<L>, L) {
-        (Crescent::none(), self.frame.x_d)
+    pub(crate) fn uncut(&self) -> Cut<L> {
+        Cut::none(self.frame.x_d)
     }
 }
 
@@ -178,12 +179,13 @@ impl<L: Lane> Cap<L> {
         let view = View::new(normal.into().into(), centre.into().into(), radius);
         let case = view.case();
         let cut = branch!(case.is_cut, view.cut(), view.uncut());
-        Self::of(view, case, cut)
+        Self::of(view, case, &cut)
     }
 
     /// The last step: all in units of the distance, and the areas.
     #[inline(always)]
-    pub(crate) fn of(view: View<L>, case: Case<L::Mask>, (crescent, x_d): (Crescent<L>, L)) -> Self {
+    pub(crate) fn of(view: View<L>, case: Case<L::Mask>, cut: &Cut<L>) -> Self {
+        let Cut { crescent, areas: Areas { area, .. }, x_d } = *cut;
         let View { normal, on_surface, sphere, frame, horizon, d, inv_d, v_d, elevation_sin } = view;
         let Sphere { lengths: Lengths { centre, radius, unit }, gap, .. } = sphere;
         let (s, v, elevation_cos) = (radius * inv_d, v_d * inv_d, x_d * inv_d);
@@ -193,9 +195,9 @@ impl<L: Lane> Cap<L> {
 
         // The whole cap, projected, is an ellipse with half axes s and s |Z|.
         let s2 = s * s;
-        let larger = (s2 * z).fma(L::lit(PI), crescent.area);
-        let above = L::select(case.is_centre_above, larger, crescent.area);
-        let below = L::select(case.is_centre_above, crescent.area, larger);
+        let larger = (s2 * z).fma(L::lit(PI), area.named("area"));
+        let above = L::select(case.is_centre_above, larger, area);
+        let below = L::select(case.is_centre_above, area, larger);
         // A part whose density would overflow (an area below about 1e-37) lights nothing.
         let is_visible = is_visible(s2, gap);
         let smallest = L::lit(8.0 * L::MIN_POSITIVE);

@@ -83,7 +83,7 @@ pub(crate) fn areas_of_chord<L: Lane>(u0: L, beyond: L) -> [L; 2] {
 #[inline(always)]
 pub(crate) fn square_to_disk<L: Lane>(u0: L, u1: L) -> DiskPoint<L> {
     let [near, far] = areas_of_chord(u0, L::lit(0.0));
-    let height = segment_height(near.min(far)).min(L::lit(1.0));
+    let height = segment_height(near.min(far));
     let chord2 = height * (lit(2.0) - height);
     let (across, across_complement) = symmetric(u1);
     DiskPoint {
@@ -191,7 +191,7 @@ mod tests {
                     return last;
                 }
                 let [near, far] = areas_of_chord(u, beyond);
-                let height = segment_height(near.min(far)).min(1.0);
+                let height = segment_height(near.min(far));
                 last = from_edge(height, near < far);
                 if calls.is_multiple_of(64) {
                     let [inverse, _] = disk_to_square(f64::from(last), 0.0, f64::from(beyond));

@@ -1,8 +1,7 @@
 //! The ways in that check their input: for scalars, with an error; for other lanes, with a mask.
 
-use crate::cap::Cap;
 use crate::input::{Input, Refusal};
-use crate::lane::{branch, Lane};
+use crate::lane::Lane;
 use crate::sample::{Density, Sample};
 use crate::sampling::{with_sampler, Sampler};
 use crate::strategy::Receiver;
@@ -123,10 +122,7 @@ impl<L: Lane> Input<L> {
     #[inline(always)]
     pub(crate) fn prepare(&self) -> (Sampler<L>, L::Mask) {
         let (view, is_valid) = self.view();
-        let case = view.case();
-        let cut = branch!(case.is_cut, view.cut(), view.uncut());
-        let (cap, strategy) = (Cap::of(view, case, cut), self.receiver.strategy);
-        let sampler = Sampler::of(cap, case, cap.has_solid_angle_alone(&strategy), strategy);
+        let sampler = Sampler::of_view(view, self.receiver.strategy);
         (sampler, is_valid & sampler.is_possible())
     }
 

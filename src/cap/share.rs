@@ -1,6 +1,6 @@
 //! How the horizon divides a cap's solid angle.
 
-use super::Cap;
+use super::{Cap, Cut};
 use crate::disk::shape_and_difference;
 use crate::lane::{branch, lit, Blend, Lane};
 use core::f64::consts::PI;
@@ -11,7 +11,7 @@ impl<L: Lane> Cap<L> {
     /// Of the crescent's over the whole cap's it is
     /// `tau^3 (1 + v)/pi [kappa M H[kappa, e] + (H(e) (M - kappa^2) + kappa) / X^2]` with `M = (1 - t_x)/s^2 = tau^2 / (X^2 (1 + t_x))`.
     #[inline(always)]
-    pub(crate) fn shares(&self) -> [L; 2] {
+    pub(crate) fn shares(&self, cut: &Cut<L>) -> [L; 2] {
         let one = L::lit(1.0);
         let centre_above = L::lit(0.0).lt(self.elevation_sin);
         let crescent_share = branch!(
@@ -22,7 +22,7 @@ impl<L: Lane> Cap<L> {
                 let per_s2 = c.tau * c.tau * inv_x2 / (lit(1.0) + c.t_x);
                 let (_, difference) = shape_and_difference(c.kappa, c.cut);
                 let bracket = (c.kappa * per_s2)
-                    .fma(difference, c.shape_cut().fma(per_s2 - c.kappa * c.kappa, c.kappa) * inv_x2);
+                    .fma(difference, cut.shape_cut().fma(per_s2 - c.kappa * c.kappa, c.kappa) * inv_x2);
                 let share = c.tau * c.tau * c.tau * (self.radius_cos + lit(1.0)) * bracket * lit(1.0 / PI);
                 share.max(L::lit(0.0)).min(L::lit(0.5))
             },

@@ -11,7 +11,7 @@ use super::crescent::{self, Slice};
 use super::split::interior;
 use super::Place;
 use crate::cap::Cap;
-use crate::disk::power_per_height;
+use crate::disk::{power_per_height, shape};
 use crate::lane::{branch, lit, Lane};
 use crate::offset::Offset;
 
@@ -97,7 +97,8 @@ pub(super) fn relative_density<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> L {
     let c = &cap.crescent;
     let Warp { d_x, w_x, width, .. } = unwarp(cap, offset);
     let stretch = c.t_y / cap.rise;
-    let areas = c.area / (c.t_y_cubed() * c.shape);
+    let area = L::select(L::lit(0.0).lt(cap.elevation_sin), cap.projected_below, cap.projected_above);
+    let areas = area / (c.t_y_cubed() * shape(c.t_x));
     stretch * stretch * areas * w_x / (d_x * width)
 }
 

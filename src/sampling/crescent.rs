@@ -15,7 +15,7 @@
 
 use super::split::interior;
 use super::Place;
-use crate::cap::{Cap, Crescent};
+use crate::cap::{Cap, Crescent, Cut};
 use crate::disk::{power_per_height, shape};
 use crate::fits::CRESCENT;
 use crate::lane::{branch, broadcast_fields, lit, Blend, Lane, Only};
@@ -89,18 +89,18 @@ impl<L: Lane> Marginal<L> {
 
     /// For samplers that use it `is_used`, and have one: the others are spared the work.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>, is_used: L::Mask) -> Self {
+    pub(super) fn new(cut: &Cut<L>, is_used: L::Mask) -> Self {
         let Only(coefficients) = branch!(
             is_used,
             {
-                let c = &cap.crescent;
+                let (c, areas) = (&cut.crescent, &cut.areas);
                 let (one, kappa_1) = (L::lit(1.0), lit(1.0) + c.kappa);
                 // B(0) = sqrt(N / P) from the crescent's ends, with P = (1 + kappa) H(t_x); B(1) from its middle. One
                 // division serves both, and the quotient rho.
-                let ends = kappa_1 * c.shape;
-                let inv = one / (c.norm * ends);
+                let ends = kappa_1 * areas.shape;
+                let inv = one / (areas.norm * ends);
                 let inv_root = inv.sqrt();
-                let b0 = c.norm * inv_root;
+                let b0 = areas.norm * inv_root;
                 let inv_cut_1 = one / (lit(1.0) + c.cut);
                 let middle = shape((c.t_x + c.kappa) * inv_cut_1);
                 let b1 = kappa_1 * middle * (inv_cut_1 * inv_cut_1 * inv_cut_1) * (ends * inv);
@@ -225,8 +225,8 @@ mod tests {
     fn sampler<L: Lane>(s: f64, kappa: f64) -> Sampler<L> {
         let (z, lit) = (-kappa * s, L::lit);
         let x = ((1.0 - z) * (1.0 + z)).sqrt();
-        let cap = Cap::new([lit(0.0), lit(0.0), lit(1.0)], [lit(x), lit(0.0), lit(z)], lit(s));
-        Sampler::new(cap, Strategy::default())
+        let (normal, centre) = ([lit(0.0), lit(0.0), lit(1.0)], [lit(x), lit(0.0), lit(z)]);
+        Sampler::new(normal, centre, lit(s), Strategy::default())
     }
 
     /// Along a slice all 2^24 numbers give heights over the horizon that are finite, monotone and not above the cap's top; and

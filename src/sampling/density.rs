@@ -76,42 +76,37 @@ impl<L: Lane> Sampler<L> {
     #[inline(always)]
     pub(super) fn density(&self, technique: Technique, is_mixed: L::Mask, offset: Offset<L>) -> Density<L> {
         let largest = L::lit(L::MAX);
-        let plain = self.defensive.share * self.whole.inv_solid_angle;
+        let plain = self.whole.density;
         // Where nothing is sampled there may be no cosine, and the density 0 yet.
         let cosine = offset.cosine.abs().min(largest);
         let plain_projected = || (plain / cosine.max(L::lit(L::MIN_POSITIVE))).min(largest);
         if technique == Technique::SolidAngle {
             return Density { solid_angle: plain, projected_solid_angle: plain_projected() };
         }
-        let (rest, weight) = (self.defensive.rest, self.projected_density(technique, offset));
+        let weight = self.projected_density(technique, offset);
         let (factor, cosine) = match (technique, self.hemispheres) {
             // The weight is the same all over this side: on the other the cosine is 0 instead.
             (Technique::Projected, Hemispheres::Front) => {
-                (self.inv_above, offset.cosine.max(L::lit(0.0)).min(largest))
+                (self.density_above, offset.cosine.max(L::lit(0.0)).min(largest))
             }
             _ => (weight, cosine),
         };
-        // The mixture's arithmetic is skipped where there is no part by solid angle.
         Density {
-            solid_angle: branch!(is_mixed, factor.fma(rest * cosine, plain), factor * cosine),
-            projected_solid_angle: branch!(
-                is_mixed,
-                weight.fma(rest, plain_projected()).min(largest),
-                weight
-            ),
+            solid_angle: factor.fma(cosine, plain),
+            // A division is skipped where there is no part by solid angle.
+            projected_solid_angle: branch!(is_mixed, (weight + plain_projected()).min(largest), weight),
         }
     }
 
-    /// Density of the projected technique alone, with respect to projected solid angle.
+    /// What the projected technique adds to the density with respect to projected solid angle.
     #[inline(always)]
     fn projected_density(&self, technique: Technique, offset: Offset<L>) -> L {
         let zero = L::lit(0.0);
         let (above, below) = (zero.lt(offset.cosine), offset.cosine.lt(zero));
         let weight = match self.hemispheres {
-            Hemispheres::Front => L::select(above, self.inv_above, zero),
+            Hemispheres::Front => L::select(above, self.density_above, zero),
             Hemispheres::Both => {
-                let below = L::select(below, self.inv_below * self.sides.rest, zero);
-                L::select(above, self.inv_above * self.sides.share, below)
+                L::select(above, self.density_above, L::select(below, self.density_below, zero))
             }
         };
         if technique == Technique::Projected {

@@ -10,7 +10,7 @@
 
 use super::split::{interior, Split};
 use super::Place;
-use crate::cap::Cap;
+use crate::cap::{Cap, Cut};
 use crate::disk::{disk_to_square, DiskPoint, PER_AREA};
 use crate::lane::{branch, broadcast_fields, lit, Lane};
 use crate::offset::Offset;
@@ -43,17 +43,17 @@ impl<L: Lane> Ellipse<L> {
     /// For samplers that use it where it `is_cut`: the others are spared the work. `inv_area` is the reciprocal projected solid angle
     /// of the centre's side.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>, is_cut: L::Mask, inv_area: L) -> Self {
+    pub(super) fn new(cap: &Cap<L>, cut: &Cut<L>, is_cut: L::Mask, inv_area: L) -> Self {
         let (zero, one) = (L::lit(0.0), L::lit(1.0));
         let c = &cap.crescent;
         let (share, inv_rest, beyond) = branch!(
             is_cut & zero.lt(inv_area),
             {
-                let share = c.t_y_cubed() * c.shape * inv_area;
+                let share = c.t_y_cubed() * cut.areas.shape * inv_area;
                 // Sine of half the angle that the horizon cuts off the boundary circle: tau / X.
                 let half_sine = c.t_y / cap.radius_sin;
-                let inv_rest = one / Split::new(share).rest;
-                (share, inv_rest, half_sine * half_sine * half_sine * (c.shape_cut() * lit(PER_AREA)))
+                let inv_rest = one / Split(share).rest();
+                (share, inv_rest, half_sine * half_sine * half_sine * (cut.shape_cut() * lit(PER_AREA)))
             },
             (zero, one, zero)
         );
@@ -89,7 +89,7 @@ impl<L: Lane> Ellipse<L> {
     /// The choice between that crescent and the ellipse.
     #[inline(always)]
     pub(super) fn split(&self) -> Split<L> {
-        Split::new(self.crescent_share)
+        Split(self.crescent_share)
     }
 
     /// What is left of the random number that chose the ellipse: [`Split::left_over`], with the division done in advance.

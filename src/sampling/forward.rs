@@ -1,7 +1,7 @@
 //! Two random numbers to a direction.
 
 use super::crescent::{self, Slice};
-use super::split::interior;
+use super::split::{interior, Split};
 use super::{bounded, follows_surface, with_sampler, Place, Sampler};
 use crate::cap::{Cap, Case, View};
 use crate::disk::{
@@ -30,15 +30,15 @@ struct Segment<L> {
 blend_fields!(Segment { area, scale, g2; only near_minus_far; otherwise m });
 
 impl<L: Lane> Sample<L> {
-    /// The sample of a sphere that is sampled once: the bits of `Sampler::new(Cap::new(normal, centre, radius), strategy).sample(u0, u1)`,
+    /// The sample of a sphere that is sampled once: the bits of `Sampler::new(normal, centre, radius, strategy).sample(u0, u1)`,
     /// of which a scalar computes what this sample needs, and no more. [`Sampler::sample_once`] checks its input.
     ///
     /// ```
-    /// use spherecap::{Cap, Sample, Sampler, Strategy};
+    /// use spherecap::{Sample, Sampler, Strategy};
     ///
     /// let (normal, centre, radius) = ([0.0, 0.0, 1.0], [3.0, 0.0, 0.5_f32], 1.0);
     /// let sample = Sample::once(normal, centre, radius, Strategy::default(), 0.25, 0.75);
-    /// let sampler = Sampler::new(Cap::new(normal, centre, radius), Strategy::default());
+    /// let sampler = Sampler::new(normal, centre, radius, Strategy::default());
     /// assert_eq!(sample, sampler.sample(0.25, 0.75));
     /// ```
     #[inline(always)]
@@ -149,15 +149,17 @@ impl<L: Lane> Sampler<L> {
         u1: L,
     ) -> Place<L> {
         let one = L::lit(1.0);
-        let is_plain = is_mixed & self.defensive.is_first(u0);
+        let parts = Split(self.defensive);
+        let is_plain = is_mixed & parts.is_first(u0);
         let is_choice = is_mixed & L::lit(0.0).lt(self.requested);
-        let u0 = branch!(is_choice, self.defensive.left_over(u0, is_plain), u0);
+        let u0 = branch!(is_choice, parts.left_over(u0, is_plain), u0);
         let Case { is_cut, is_centre_above } = case;
         match self.hemispheres {
             Hemispheres::Front => self.sample_part(technique, is_plain, is_cut, is_centre_above, u0, u1),
             Hemispheres::Both => {
-                let above = is_plain | self.sides.is_first(u0);
-                let side_u0 = self.sides.left_over(u0, above);
+                let sides = Split(self.above);
+                let above = is_plain | sides.is_first(u0);
+                let side_u0 = sides.left_over(u0, above);
                 // The centre's side is the one where both or neither are above.
                 let centre_side = (above & is_centre_above) | (!above & !is_centre_above);
                 let u0 = L::select(is_plain, u0, side_u0);
@@ -235,8 +237,6 @@ impl<L: Lane> Sampler<L> {
             // Heights over g2, so that thin slices keep their digits.
             let k = scale * two_thirds_power(area);
             let h1 = k * height_per_power(k * g2);
-            // The middle of the disk is as far as its segments go.
-            let h1 = branch!(is_disk, h1.min(one), h1);
             let h = g2 * h1;
             let chord2 = h1 * (lit(2.0) - h);
             let chord = chord2.sqrt();

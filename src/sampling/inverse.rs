@@ -1,5 +1,6 @@
 //! A direction back to its random numbers.
 
+use super::split::Split;
 use super::{bounded, Sampler};
 use crate::lane::{branch, Lane};
 use crate::offset::Offset;
@@ -28,7 +29,7 @@ impl<L: Lane> Sampler<L> {
         let [u0, u1] = match self.technique {
             Technique::SolidAngle => plain(),
             _ => {
-                let is_plain = L::lit(1.0).le(self.defensive.share);
+                let is_plain = L::lit(1.0).le(self.defensive);
                 branch!(is_plain, plain(), {
                     let above = zero.lt(offset.cosine);
                     let sign = L::select(above, L::lit(1.0), L::lit(-1.0));
@@ -43,11 +44,11 @@ impl<L: Lane> Sampler<L> {
                     let u0 = match self.hemispheres {
                         Hemispheres::Front => u0,
                         Hemispheres::Both => {
-                            let [in_above, in_below] = self.sides.numbers(u0);
+                            let [in_above, in_below] = Split(self.above).numbers(u0);
                             L::select(above, in_above, in_below)
                         }
                     };
-                    let [_, in_projected] = self.defensive.numbers(u0);
+                    let [_, in_projected] = Split(self.defensive).numbers(u0);
                     [in_projected, u1]
                 })
             }

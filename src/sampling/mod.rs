@@ -22,8 +22,8 @@ mod inverse;
 mod solid_angle;
 mod split;
 
-use crate::cap::{Cap, Case};
-use crate::lane::{blend_fields, branch, broadcast_fields, lit, Blend, Lane};
+use crate::cap::{Cap, Case, Cut, View};
+use crate::lane::{blend_fields, branch, broadcast_fields, Blend, Lane};
 use crate::offset::Offset;
 use crate::strategy::{Hemispheres, Strategy, Technique};
 use crate::vec3::Vec3;
@@ -51,15 +51,15 @@ pub struct Sampler<L> {
     pub(crate) technique: Technique,
     pub(crate) hemispheres: Hemispheres,
     cap: Cap<L>,
-    /// By solid angle or by the projected technique: a share of 0 or 1 where only one part exists.
-    defensive: Split<L>,
+    /// The share of samples by solid angle: 0 or 1 where only one part exists.
+    defensive: L,
     /// The fraction that was asked for: where it is 0, random numbers choose nothing, so nothing is left over of them.
     requested: L,
-    /// Reciprocal projected solid angles above and below the horizon; 0 for a side with nothing on it.
-    inv_above: L,
-    inv_below: L,
-    /// Above the horizon or below.
-    sides: Split<L>,
+    /// The share of the others that is above the horizon.
+    above: L,
+    /// The densities of those with respect to projected solid angle, above and below; 0 for a side with nothing on it.
+    density_above: L,
+    density_below: L,
     /// Along the surface towards the centre, or towards the zenith: see [`follows_surface`].
     third_axis: Vec3<L>,
     whole: solid_angle::Whole<L>,
@@ -67,7 +67,7 @@ pub struct Sampler<L> {
     marginal: crescent::Marginal<L>,
 }
 broadcast_fields!(Sampler {
-    cap, defensive, requested, inv_above, inv_below, sides, third_axis, whole, ellipse, marginal;
+    cap, defensive, requested, above, density_above, density_below, third_axis, whole, ellipse, marginal;
     same technique, hemispheres
 });
 
@@ -91,10 +91,10 @@ macro_rules! with_sampler {
         $crate::lane::fork!($lane, is_cut, view.cut(), view.uncut(), cut => {
             $crate::lane::knowing!($lane, is_centre_above => {
                 let $case = $crate::cap::Case { is_cut, is_centre_above };
-                let (cap, strategy) = ($crate::cap::Cap::of(view, $case, cut), $strategy);
+                let (cap, strategy) = ($crate::cap::Cap::of(view, $case, &cut), $strategy);
                 let is_alone = cap.has_solid_angle_alone(&strategy);
                 $crate::lane::knowing!($lane, is_alone => {
-                    let $sampler = Sampler::of(cap, $case, is_alone, strategy);
+                    let $sampler = Sampler::of(cap, &cut, $case, is_alone, strategy);
                     $then
                 })
             })
@@ -104,26 +104,43 @@ macro_rules! with_sampler {
 pub(crate) use with_sampler;
 
 impl<L: Lane> Sampler<L> {
-    /// Prepares a cap for sampling.
+    /// Prepares sampling of the sphere with this `centre` (relative to the shading point) and `radius` (same unit of length), as seen from
+    /// a surface with this `normal`: see [`Cap::new`]. [`Sampler::prepare`] checks its input.
     ///
     /// ```
-    /// # use spherecap::{Cap, Sampler, Strategy};
+    /// # use spherecap::{Sampler, Strategy};
     /// // Total: where there is nothing to sample, it says so.
-    /// let cap = Cap::<f32>::new([0.0, 0.0, 1.0], [0.0, 0.0, -2.0], 1.0);
-    /// let sampler = Sampler::new(cap, Strategy::default());
+    /// let sampler = Sampler::<f32>::new([0.0, 0.0, 1.0], [0.0, 0.0, -2.0], 1.0, Strategy::default());
     /// assert!(sampler.is_empty());
     /// ```
     #[inline(always)]
-    pub fn new(cap: Cap<L>, strategy: Strategy<L>) -> Self {
-        Self::of(cap, cap.case(), cap.has_solid_angle_alone(&strategy), strategy)
+    pub fn new(
+        normal: impl Into<[L; 3]>,
+        centre: impl Into<[L; 3]>,
+        radius: L,
+        strategy: Strategy<L>,
+    ) -> Self {
+        Self::of_view(View::new(normal.into().into(), centre.into().into(), radius), strategy)
+    }
+
+    /// The same, of what is seen.
+    #[inline(always)]
+    pub(crate) fn of_view(view: View<L>, strategy: Strategy<L>) -> Self {
+        with_sampler!(L, view, strategy, (sampler, _case) => sampler)
     }
 
     /// The same, of a cap of which this is known.
     #[inline(always)]
-    pub(crate) fn of(cap: Cap<L>, case: Case<L::Mask>, is_alone: L::Mask, strategy: Strategy<L>) -> Self {
+    pub(crate) fn of(
+        cap: Cap<L>,
+        cut: &Cut<L>,
+        case: Case<L::Mask>,
+        is_alone: L::Mask,
+        strategy: Strategy<L>,
+    ) -> Self {
         let Strategy { technique, hemispheres, defensive } = strategy;
-        let zero = L::lit(0.0);
-        let reciprocal = |area: L| L::select(zero.lt(area), lit(1.0) / area, zero);
+        let (zero, one) = (L::lit(0.0), L::lit(1.0));
+        let reciprocal = |area: L| L::select(zero.lt(area), one / area, zero);
         let inv_above = reciprocal(cap.projected_above);
         let inv_below = match hemispheres {
             Hemispheres::Front => zero,
@@ -138,18 +155,18 @@ impl<L: Lane> Sampler<L> {
         let inv_larger = L::select(is_centre_above, inv_above, inv_below);
         let ellipse = match technique {
             Technique::SolidAngle => ellipse::Ellipse::unused(),
-            _ => ellipse::Ellipse::new(&cap, cuts_ellipse, inv_larger),
+            _ => ellipse::Ellipse::new(&cap, cut, cuts_ellipse, inv_larger),
         };
         let marginal = match technique {
-            Technique::Projected => crescent::Marginal::new(&cap, uses_crescent),
+            Technique::Projected => crescent::Marginal::new(cut, uses_crescent),
             _ => crescent::Marginal::unused(),
         };
-        let plain_share = L::select(is_alone, L::lit(1.0), defensive);
+        let plain_share = L::select(is_alone, one, defensive);
         let whole = match technique {
-            Technique::SolidAngle => solid_angle::Whole::new(&cap),
+            Technique::SolidAngle => solid_angle::Whole::new(&cap, one),
             _ => {
                 let (new, unused) = (solid_angle::Whole::new, solid_angle::Whole::unused);
-                branch!(zero.lt(plain_share), new(&cap), unused())
+                branch!(zero.lt(plain_share), new(&cap, plain_share), unused())
             }
         };
         let third_axis = if follows_surface::<L>(technique) {
@@ -157,27 +174,30 @@ impl<L: Lane> Sampler<L> {
         } else {
             cap.towards_zenith()
         };
-        let one = L::lit(1.0);
-        let [above, below] = match hemispheres {
-            Hemispheres::Front => [one, zero],
+        let rest = Split(plain_share).rest();
+        let (above, [density_above, density_below]) = match (technique, hemispheres) {
+            (Technique::SolidAngle, _) => (one, [zero; 2]),
+            (_, Hemispheres::Front) => (one, [inv_above * rest, zero]),
             // A side with nothing on it (that can be weighed) gets no samples.
-            Hemispheres::Both => {
-                let [above, below] = cap.shares();
+            (_, Hemispheres::Both) => {
+                let [above, below] = cap.shares(cut);
                 let of = |own: L, inv_own: L, inv_other: L| {
                     L::select(zero.lt(inv_other), L::select(zero.lt(inv_own), own, zero), one)
                 };
-                [of(above, inv_above, inv_below), of(below, inv_below, inv_above)]
+                let [above, below] = [of(above, inv_above, inv_below), of(below, inv_below, inv_above)];
+                // Each share to its own precision, however small it is.
+                (above, [inv_above * above * rest, inv_below * below * rest])
             }
         };
         Self {
             technique,
             hemispheres,
             cap,
-            defensive: Split::new(plain_share),
+            defensive: plain_share,
             requested: defensive,
-            inv_above,
-            inv_below,
-            sides: Split { share: above, rest: below },
+            above,
+            density_above,
+            density_below,
             third_axis,
             whole,
             ellipse,
@@ -188,15 +208,19 @@ impl<L: Lane> Sampler<L> {
     /// Whether there is nothing to sample: every density is 0.
     #[inline(always)]
     pub fn is_empty(&self) -> L::Mask {
-        let zero = L::lit(0.0);
-        let plain = zero.lt(self.defensive.share) & zero.lt(self.whole.inv_solid_angle);
-        !(zero.lt(self.inv_above + self.inv_below) | plain)
+        !L::lit(0.0).lt(self.density_above + self.density_below + self.whole.density)
     }
 
-    /// Whether there is a part by solid angle, alone or beside another.
+    /// Whether there may be a part by solid angle, alone or beside another. To know it spares those lanes much that fork; to the others
+    /// a share of 0 says enough.
     #[inline(always)]
     pub(crate) fn is_mixed(&self) -> L::Mask {
-        L::lit(0.0).lt(self.defensive.share)
+        let zero = L::lit(0.0);
+        if L::FORKS {
+            zero.lt(self.defensive)
+        } else {
+            zero.le(zero)
+        }
     }
 
     /// The geometry that was prepared.

@@ -15,24 +15,25 @@ use core::f64::consts::PI;
 pub(super) struct Whole<L> {
     /// `1 - v`: the cap's height; 0 where nothing is visible.
     height: L,
-    /// Reciprocal solid angle; 0 likewise.
-    pub inv_solid_angle: L,
+    /// The density of this part, with respect to solid angle: its share of all samples over the solid angle; 0 likewise.
+    pub density: L,
 }
-blend_fields!(Whole { height, inv_solid_angle });
-broadcast_fields!(Whole { height, inv_solid_angle });
+blend_fields!(Whole { height, density });
+broadcast_fields!(Whole { height, density });
 
 impl<L: Lane> Whole<L> {
+    /// With this share of the samples.
     #[inline(always)]
-    pub(super) fn new(cap: &Cap<L>) -> Self {
+    pub(super) fn new(cap: &Cap<L>, share: L) -> Self {
         let (zero, height) = (L::lit(0.0), cap.height());
         let inv_solid_angle = L::select(zero.lt(height), lit(0.5 / PI) / height, zero);
-        Self { height, inv_solid_angle }
+        Self { height, density: share * inv_solid_angle }
     }
 
     /// For samplers that never use it.
     #[inline(always)]
     pub(super) fn unused() -> Self {
-        Self { height: L::lit(0.0), inv_solid_angle: L::lit(0.0) }
+        Self { height: L::lit(0.0), density: L::lit(0.0) }
     }
 
     /// The direction for a point of the unit disk: its component towards the centre, and its offset.

@@ -168,6 +168,7 @@ impl State {
             Op::Mul if self.is_number(b, 1.0) => return a,
             Op::Mul if self.is_number(a, 1.0) => return b,
             Op::Div if self.is_number(b, 1.0) => return a,
+            Op::Sub if self.is_number(b, 0.0) => return a,
             Op::Add => {
                 if let Some(negated) = self.operands(b, Op::Neg) {
                     return self.op(Op::Sub, &[a, negated[0]]);

@@ -2,7 +2,7 @@
 //! IEEE 754, fused multiply-adds included.
 
 use crate::common::{dot, hard_scenes, inputs::inputs, lanes, strata, strategies, Random, Scene};
-use spherecap::{Blend, Cap, Fits, Lane, Lit, Sample, Sampler, Strategy};
+use spherecap::{Blend, Fits, Lane, Lit, Sample, Sampler, Strategy};
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -134,8 +134,7 @@ impl Lane for Approximate {
 fn sampler<L: Lane>(scene: &Scene, strategy: Strategy<f32>) -> Sampler<L> {
     let Strategy { technique, hemispheres, defensive } = strategy;
     let strategy = Strategy { technique, hemispheres, defensive: L::lit(defensive.into()) };
-    let cap = Cap::new(lanes::<L>(scene.normal), lanes::<L>(scene.centre), L::lit(scene.radius));
-    Sampler::new(cap, strategy)
+    Sampler::new(lanes::<L>(scene.normal), lanes::<L>(scene.centre), L::lit(scene.radius), strategy)
 }
 
 /// As exact arithmetic has it, there is something to sample or not; samples lie within 3e-6 s of the cap (with the inputs of

@@ -2,7 +2,7 @@
 
 use crate::common::{dot, hard_scenes, neighbours, oblique, strategies, widen, Random, Scene, RADII};
 use spherecap::{
-    Cap, Density, Hemispheres, Offset, Receiver, Refusal, Sample, Sampler, Scalar, Strategy, Technique,
+    Density, Hemispheres, Offset, Receiver, Refusal, Sample, Sampler, Scalar, Strategy, Technique,
 };
 
 /// Random numbers, and the corners of the unit square: both ends, and the last number below one.
@@ -369,8 +369,8 @@ fn an_empty_cap_gives_no_density<F: Scalar>() {
     for strategy in strategies::<F>() {
         for (height, radius) in [(-2.0, 1.0), (0.5, 1.0), (1.0, 1.0), (0.0, 1.0), (1.0, F::MIN_POSITIVE)] {
             let (zero, one) = (F::lit(0.0), F::lit(1.0));
-            let cap = Cap::new([zero, zero, one], [zero, zero, F::lit(height)], F::lit(radius));
-            let sampler = Sampler::new(cap, strategy);
+            let (normal, centre) = ([zero, zero, one], [zero, zero, F::lit(height)]);
+            let sampler = Sampler::new(normal, centre, F::lit(radius), strategy);
             let sample = sampler.sample(F::lit(0.5), F::lit(0.3));
             if sampler.is_empty() {
                 empty += 1;

@@ -321,9 +321,7 @@ impl Player<'_> {
                 let operands = operands.map(|operand| self.nodes[operand]);
                 let node = self.backend.op(op, op.used(&operands), self.rounded.contains(&index))?;
                 self.own(index, node);
-                for (_, name) in self.names.iter().filter(|(named, _)| *named == index) {
-                    self.backend.name(node, name);
-                }
+                self.name(index);
             }
         }
         while let Some((side, conditional)) = open.pop() {
@@ -336,8 +334,18 @@ impl Player<'_> {
         let read_later: Vec<Index> = self.operations(side, side.end).collect();
         let mut nodes: Vec<NodeId> = read_later.iter().map(|&index| self.nodes[index]).collect();
         self.backend.end_if(conditional, &mut nodes)?;
-        read_later.into_iter().zip(nodes).for_each(|(index, node)| self.own(index, node));
+        for (index, node) in read_later.into_iter().zip(nodes) {
+            self.own(index, node);
+            self.name(index);
+        }
         Some(())
+    }
+
+    /// Tells what the number there is called, if it has a name.
+    fn name(&self, index: Index) {
+        for (_, name) in self.names.iter().filter(|(named, _)| *named == index) {
+            self.backend.name(self.nodes[index], name);
+        }
     }
 }
 
