@@ -428,27 +428,29 @@ static __device__ inline float spherecap_surface_pdf_on_sphere(spherecap_surface
 }
 
 static __device__ inline float spherecap_surface_importance(float3 normal, float3 centre, float radius, float strength) {
-    const float t1 = spherecap_max(fabsf(centre.x) + fabsf(centre.y) + (fabsf(centre.z) + radius), 1.1754944e-38f);
-    const float unscale = spherecap_power_of_two(spherecap_min(t1, 8.5070587e37f));
-    const float scale = spherecap_float_of_bits(2130706400.0f - spherecap_bits(unscale));
-    const float t2 = centre.x * scale;
-    const float t3 = centre.y * scale;
-    const float t4 = centre.z * scale;
-    const float t5 = radius * scale;
-    const float t6 = sqrtf(fmaf(t2, t2, fmaf(t3, t3, t4 * t4)));
-    const float t7 = 1.0f / t6;
-    const float t8 = t5 * t7;
-    const float t9 = t8 * t8;
-    const bool t10 = 0.0f < radius && t6 * unscale <= 3.4028235e38f && 0.0f < strength && strength <= 3.4028235e38f;
-    const float t11 = fmaf(normal.x, t2, fmaf(normal.y, t3, normal.z * t4));
-    const float t12 = fmaf(t11, t7, 2.3841858e-7f);
-    const float t13 = fmaf(t11 + t5, t7, 2.3841858e-7f);
-    const float t14 = fmaf(t8 - t12, spherecap_max(fmaf(-t9, t9, 0.9999981f), 0.0f), t13) * 2.0f;
-    const float t15 = t8 <= t12 ? t12 : 0.0f < t13 ? t13 * t13 / t14 : 0.0f;
-    const float t16 = fmaf(0.0f, 0.5f - t15, t15);
-    const float t17 = spherecap_min(spherecap_max(t9 * t16 * strength, 1.1754944e-38f), 3.4028235e38f);
-    const float t18 = (t9 <= 1.0000019f && 4.9303807e-32f < t9 && t10 && 0.0f < t16) ? t17 : 0.0f;
-    return t18;
+    const bool t1 = fmaf(centre.x, centre.x, fmaf(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0f;
+    const bool t2 = 9.536743e-7f < radius && t1;
+    const float t3 = spherecap_max(fabsf(centre.x) + fabsf(centre.y) + (fabsf(centre.z) + radius), 1.1754944e-38f);
+    const float unscale = spherecap_power_of_two(spherecap_min(t3, 8.5070587e37f));
+    const float t4 = t2 ? 1.0f : spherecap_float_of_bits(2130706400.0f - spherecap_bits(unscale));
+    const float t5 = centre.x * t4;
+    const float t6 = centre.y * t4;
+    const float t7 = centre.z * t4;
+    const float t8 = radius * t4;
+    const float t9 = sqrtf(fmaf(t5, t5, fmaf(t6, t6, t7 * t7)));
+    const float t10 = 1.0f / t9;
+    const float t11 = t8 * t10;
+    const float t12 = t11 * t11;
+    const bool t13 = 0.0f < radius && t9 * (t2 ? 1.0f : unscale) <= 3.4028235e38f && 0.0f < strength;
+    const float t14 = fmaf(normal.x, t5, fmaf(normal.y, t6, normal.z * t7));
+    const float t15 = fmaf(t14, t10, 2.3841858e-7f);
+    const float t16 = fmaf(t14 + t8, t10, 2.3841858e-7f);
+    const float t17 = fmaf(t11 - t15, spherecap_max(fmaf(-t12, t12, 0.9999981f), 0.0f), t16) * 2.0f;
+    const float t18 = t11 <= t15 ? t15 : 0.0f < t16 ? t16 * t16 / t17 : 0.0f;
+    const float t19 = fmaf(0.0f, 0.5f - t18, t18);
+    const bool t20 = t12 <= 1.0000019f && 4.9303807e-32f < t12 && strength <= 3.4028235e38f && t13;
+    const float t21 = spherecap_min(spherecap_max(t12 * t19 * strength, 1.1754944e-38f), 3.4028235e38f);
+    return (0.0f < t19 && t20) ? t21 : 0.0f;
 }
 
 
@@ -893,28 +895,30 @@ static __device__ inline float spherecap_front_importance(float3 normal, float3 
         t3 = t8 / t10;
         t4 = t9 / t10;
     }
-    const float t11 = spherecap_max(fabsf(centre.x) + fabsf(centre.y) + (fabsf(centre.z) + radius), 1.1754944e-38f);
-    const float unscale = spherecap_power_of_two(spherecap_min(t11, 8.5070587e37f));
-    const float scale = spherecap_float_of_bits(2130706400.0f - spherecap_bits(unscale));
-    const float t12 = centre.x * scale;
-    const float t13 = centre.y * scale;
-    const float t14 = centre.z * scale;
-    const float t15 = radius * scale;
-    const float t16 = sqrtf(fmaf(t12, t12, fmaf(t13, t13, t14 * t14)));
-    const float t17 = 1.0f / t16;
-    const float t18 = t15 * t17;
-    const float t19 = t18 * t18;
-    const float t20 = fmaf(t2, t2, fmaf(t3, t3, t4 * t4));
-    const bool t21 = 0.0f <= defensive && defensive <= 1.0f && t20 <= 2.0f && 0.0f < radius && t16 * unscale <= 3.4028235e38f;
-    const float t22 = fmaf(t2, t12, fmaf(t3, t13, t4 * t14));
-    const float t23 = fmaf(t22, t17, 2.3841858e-7f);
-    const float t24 = fmaf(t22 + t15, t17, 2.3841858e-7f);
-    const float t25 = fmaf(t18 - t23, spherecap_max(fmaf(-t19, t19, 0.9999981f), 0.0f), t24) * 2.0f;
-    const float t26 = t18 <= t23 ? t23 : 0.0f < t24 ? t24 * t24 / t25 : 0.0f;
-    const float t27 = t20 <= 0.0f ? 1.0f : fmaf(defensive, 0.5f - t26, t26);
-    const bool t28 = t19 <= 1.0000019f && 4.9303807e-32f < t19 && 0.0f < strength && t21 && strength <= 3.4028235e38f;
-    const float t29 = spherecap_min(spherecap_max(t19 * t27 * strength, 1.1754944e-38f), 3.4028235e38f);
-    return ((0.0f < t27 || 0.0f < defensive) && t28) ? t29 : 0.0f;
+    const bool t11 = fmaf(centre.x, centre.x, fmaf(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0f;
+    const bool t12 = 9.536743e-7f < radius && t11;
+    const float t13 = spherecap_max(fabsf(centre.x) + fabsf(centre.y) + (fabsf(centre.z) + radius), 1.1754944e-38f);
+    const float unscale = spherecap_power_of_two(spherecap_min(t13, 8.5070587e37f));
+    const float t14 = t12 ? 1.0f : spherecap_float_of_bits(2130706400.0f - spherecap_bits(unscale));
+    const float t15 = centre.x * t14;
+    const float t16 = centre.y * t14;
+    const float t17 = centre.z * t14;
+    const float t18 = radius * t14;
+    const float t19 = sqrtf(fmaf(t15, t15, fmaf(t16, t16, t17 * t17)));
+    const float t20 = 1.0f / t19;
+    const float t21 = t18 * t20;
+    const float t22 = t21 * t21;
+    const float t23 = fmaf(t2, t2, fmaf(t3, t3, t4 * t4));
+    const bool t24 = 0.0f <= defensive && defensive <= 1.0f && t23 <= 2.0f && 0.0f < radius && t19 * (t12 ? 1.0f : unscale) <= 3.4028235e38f;
+    const float t25 = fmaf(t2, t15, fmaf(t3, t16, t4 * t17));
+    const float t26 = fmaf(t25, t20, 2.3841858e-7f);
+    const float t27 = fmaf(t25 + t18, t20, 2.3841858e-7f);
+    const float t28 = fmaf(t21 - t26, spherecap_max(fmaf(-t22, t22, 0.9999981f), 0.0f), t27) * 2.0f;
+    const float t29 = t21 <= t26 ? t26 : 0.0f < t27 ? t27 * t27 / t28 : 0.0f;
+    const float t30 = t23 <= 0.0f ? 1.0f : fmaf(defensive, 0.5f - t29, t29);
+    const bool t31 = t22 <= 1.0000019f && 4.9303807e-32f < t22 && 0.0f < strength && t24 && strength <= 3.4028235e38f;
+    const float t32 = spherecap_min(spherecap_max(t22 * t30 * strength, 1.1754944e-38f), 3.4028235e38f);
+    return ((0.0f < t30 || 0.0f < defensive) && t31) ? t32 : 0.0f;
 }
 
 
@@ -1404,32 +1408,34 @@ static __device__ inline float spherecap_both_importance(float3 normal, float3 c
         t3 = t8 / t10;
         t4 = t9 / t10;
     }
-    const float t11 = spherecap_max(fabsf(centre.x) + fabsf(centre.y) + (fabsf(centre.z) + radius), 1.1754944e-38f);
-    const float unscale = spherecap_power_of_two(spherecap_min(t11, 8.5070587e37f));
-    const float scale = spherecap_float_of_bits(2130706400.0f - spherecap_bits(unscale));
-    const float t12 = centre.x * scale;
-    const float t13 = centre.y * scale;
-    const float t14 = centre.z * scale;
-    const float t15 = radius * scale;
-    const float t16 = sqrtf(fmaf(t12, t12, fmaf(t13, t13, t14 * t14)));
-    const float t17 = 1.0f / t16;
-    const float t18 = t15 * t17;
-    const float t19 = t18 * t18;
-    const float t20 = fmaf(t2, t2, fmaf(t3, t3, t4 * t4));
-    const bool t21 = 0.0f <= defensive && defensive <= 1.0f && t20 <= 2.0f && 0.0f < radius && t16 * unscale <= 3.4028235e38f;
-    const float t22 = fmaf(t2, t12, fmaf(t3, t13, t4 * t14));
-    const float t23 = spherecap_max(fmaf(-t19, t19, 0.9999981f), 0.0f);
-    const float t24 = fmaf(t22, t17, 2.3841858e-7f);
-    const float t25 = fmaf(t22 + t15, t17, 2.3841858e-7f);
-    const float t26 = t18 <= t24 ? t24 : 0.0f < t25 ? t25 * t25 / (fmaf(t18 - t24, t23, t25) * 2.0f) : 0.0f;
-    const float t27 = fmaf(-t22, t17, 2.3841858e-7f);
-    const float t28 = fmaf(-t22 + t15, t17, 2.3841858e-7f);
-    const float t29 = t18 <= t27 ? t27 : 0.0f < t28 ? t28 * t28 / (fmaf(t18 - t27, t23, t28) * 2.0f) : 0.0f;
-    const float t30 = t26 + t29;
-    const float t31 = t20 <= 0.0f ? 1.0f : fmaf(defensive, 0.5f - t30, t30);
-    const bool t32 = t19 <= 1.0000019f && 4.9303807e-32f < t19 && 0.0f < strength && t21 && strength <= 3.4028235e38f;
-    const float t33 = spherecap_min(spherecap_max(t19 * t31 * strength, 1.1754944e-38f), 3.4028235e38f);
-    return ((0.0f < t31 || 0.0f < defensive) && t32) ? t33 : 0.0f;
+    const bool t11 = fmaf(centre.x, centre.x, fmaf(centre.y, centre.y, centre.z * centre.z)) < 1099511600000.0f;
+    const bool t12 = 9.536743e-7f < radius && t11;
+    const float t13 = spherecap_max(fabsf(centre.x) + fabsf(centre.y) + (fabsf(centre.z) + radius), 1.1754944e-38f);
+    const float unscale = spherecap_power_of_two(spherecap_min(t13, 8.5070587e37f));
+    const float t14 = t12 ? 1.0f : spherecap_float_of_bits(2130706400.0f - spherecap_bits(unscale));
+    const float t15 = centre.x * t14;
+    const float t16 = centre.y * t14;
+    const float t17 = centre.z * t14;
+    const float t18 = radius * t14;
+    const float t19 = sqrtf(fmaf(t15, t15, fmaf(t16, t16, t17 * t17)));
+    const float t20 = 1.0f / t19;
+    const float t21 = t18 * t20;
+    const float t22 = t21 * t21;
+    const float t23 = fmaf(t2, t2, fmaf(t3, t3, t4 * t4));
+    const bool t24 = 0.0f <= defensive && defensive <= 1.0f && t23 <= 2.0f && 0.0f < radius && t19 * (t12 ? 1.0f : unscale) <= 3.4028235e38f;
+    const float t25 = fmaf(t2, t15, fmaf(t3, t16, t4 * t17));
+    const float t26 = spherecap_max(fmaf(-t22, t22, 0.9999981f), 0.0f);
+    const float t27 = fmaf(t25, t20, 2.3841858e-7f);
+    const float t28 = fmaf(t25 + t18, t20, 2.3841858e-7f);
+    const float t29 = t21 <= t27 ? t27 : 0.0f < t28 ? t28 * t28 / (fmaf(t21 - t27, t26, t28) * 2.0f) : 0.0f;
+    const float t30 = fmaf(-t25, t20, 2.3841858e-7f);
+    const float t31 = fmaf(-t25 + t18, t20, 2.3841858e-7f);
+    const float t32 = t21 <= t30 ? t30 : 0.0f < t31 ? t31 * t31 / (fmaf(t21 - t30, t26, t31) * 2.0f) : 0.0f;
+    const float t33 = t29 + t32;
+    const float t34 = t23 <= 0.0f ? 1.0f : fmaf(defensive, 0.5f - t33, t33);
+    const bool t35 = t22 <= 1.0000019f && 4.9303807e-32f < t22 && 0.0f < strength && t24 && strength <= 3.4028235e38f;
+    const float t36 = spherecap_min(spherecap_max(t22 * t34 * strength, 1.1754944e-38f), 3.4028235e38f);
+    return ((0.0f < t34 || 0.0f < defensive) && t35) ? t36 : 0.0f;
 }
 
 

@@ -423,26 +423,28 @@ float spherecap_surface_pdf_on_sphere(spherecap_surface_light light, float3 dire
 }
 
 float spherecap_surface_importance(float3 normal, float3 centre, float radius, float strength) {
-    float t1 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
-    float unscale = spherecap_power_of_two(min(8.5070587e37, t1));
-    float scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    float t2 = centre.x * scale;
-    float t3 = centre.y * scale;
-    float t4 = centre.z * scale;
-    float t5 = radius * scale;
-    float t6 = sqrt(mad(t2, t2, mad(t3, t3, t4 * t4)));
-    float t7 = 1.0 / t6;
-    float t8 = t5 * t7;
-    float t9 = t8 * t8;
-    bool t10 = 0.0 < radius && t6 * unscale <= 3.4028235e38 && 0.0 < strength && strength <= 3.4028235e38;
-    float t11 = mad(normal.x, t2, mad(normal.y, t3, normal.z * t4));
-    float t12 = mad(t11, t7, 2.3841858e-7);
-    float t13 = mad(t11 + t5, t7, 2.3841858e-7);
-    float t14 = t13 * t13 / (mad(t8 - t12, max(0.0, mad(-t9, t9, 0.9999981)), t13) * 2.0);
-    float t15 = t8 <= t12 ? t12 : 0.0 < t13 ? t14 : 0.0;
-    float t16 = mad(0.0, 0.5 - t15, t15);
-    float t17 = (t9 <= 1.0000019 && 4.9303807e-32 < t9 && t10 && 0.0 < t16) ? min(3.4028235e38, max(1.1754944e-38, t9 * t16 * strength)) : 0.0;
-    return t17;
+    bool t1 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    float t2 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    float unscale = spherecap_power_of_two(min(8.5070587e37, t2));
+    float t3 = t1 ? 1.0 : spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
+    float t4 = centre.x * t3;
+    float t5 = centre.y * t3;
+    float t6 = centre.z * t3;
+    float t7 = radius * t3;
+    float t8 = sqrt(mad(t4, t4, mad(t5, t5, t6 * t6)));
+    float t9 = 1.0 / t8;
+    float t10 = t7 * t9;
+    float t11 = t10 * t10;
+    bool t12 = 0.0 < radius && t8 * (t1 ? 1.0 : unscale) <= 3.4028235e38 && 0.0 < strength;
+    float t13 = mad(normal.x, t4, mad(normal.y, t5, normal.z * t6));
+    float t14 = mad(t13, t9, 2.3841858e-7);
+    float t15 = mad(t13 + t7, t9, 2.3841858e-7);
+    float t16 = t15 * t15 / (mad(t10 - t14, max(0.0, mad(-t11, t11, 0.9999981)), t15) * 2.0);
+    float t17 = t10 <= t14 ? t14 : 0.0 < t15 ? t16 : 0.0;
+    float t18 = mad(0.0, 0.5 - t17, t17);
+    bool t19 = t11 <= 1.0000019 && 4.9303807e-32 < t11 && strength <= 3.4028235e38 && t12;
+    float t20 = (0.0 < t18 && t19) ? min(3.4028235e38, max(1.1754944e-38, t11 * t18 * strength)) : 0.0;
+    return t20;
 }
 
 
@@ -866,28 +868,29 @@ float spherecap_front_importance(float3 normal, float3 centre, float radius, flo
         t2 = t7 / t9;
         t3 = t8 / t9;
     }
-    float t10 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
-    float unscale = spherecap_power_of_two(min(8.5070587e37, t10));
-    float scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    float t11 = centre.x * scale;
-    float t12 = centre.y * scale;
-    float t13 = centre.z * scale;
-    float t14 = radius * scale;
-    float t15 = sqrt(mad(t11, t11, mad(t12, t12, t13 * t13)));
-    float t16 = 1.0 / t15;
-    float t17 = t14 * t16;
-    float t18 = t17 * t17;
-    float t19 = mad(t1, t1, mad(t2, t2, t3 * t3));
-    bool t20 = 0.0 <= defensive && defensive <= 1.0 && t19 <= 2.0 && 0.0 < radius && t15 * unscale <= 3.4028235e38;
-    float t21 = mad(t1, t11, mad(t2, t12, t3 * t13));
-    float t22 = mad(t21, t16, 2.3841858e-7);
-    float t23 = mad(t21 + t14, t16, 2.3841858e-7);
-    float t24 = t23 * t23 / (mad(t17 - t22, max(0.0, mad(-t18, t18, 0.9999981)), t23) * 2.0);
-    float t25 = t17 <= t22 ? t22 : 0.0 < t23 ? t24 : 0.0;
-    float t26 = t19 <= 0.0 ? 1.0 : mad(defensive, 0.5 - t25, t25);
-    bool t27 = t18 <= 1.0000019 && 4.9303807e-32 < t18 && 0.0 < strength && t20 && strength <= 3.4028235e38;
-    float t28 = ((0.0 < t26 || 0.0 < defensive) && t27) ? min(3.4028235e38, max(1.1754944e-38, t18 * t26 * strength)) : 0.0;
-    return t28;
+    bool t10 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    float t11 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    float unscale = spherecap_power_of_two(min(8.5070587e37, t11));
+    float t12 = t10 ? 1.0 : spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
+    float t13 = centre.x * t12;
+    float t14 = centre.y * t12;
+    float t15 = centre.z * t12;
+    float t16 = radius * t12;
+    float t17 = sqrt(mad(t13, t13, mad(t14, t14, t15 * t15)));
+    float t18 = 1.0 / t17;
+    float t19 = t16 * t18;
+    float t20 = t19 * t19;
+    float t21 = mad(t1, t1, mad(t2, t2, t3 * t3));
+    bool t22 = 0.0 <= defensive && defensive <= 1.0 && t21 <= 2.0 && 0.0 < radius && t17 * (t10 ? 1.0 : unscale) <= 3.4028235e38;
+    float t23 = mad(t1, t13, mad(t2, t14, t3 * t15));
+    float t24 = mad(t23, t18, 2.3841858e-7);
+    float t25 = mad(t23 + t16, t18, 2.3841858e-7);
+    float t26 = t25 * t25 / (mad(t19 - t24, max(0.0, mad(-t20, t20, 0.9999981)), t25) * 2.0);
+    float t27 = t19 <= t24 ? t24 : 0.0 < t25 ? t26 : 0.0;
+    float t28 = t21 <= 0.0 ? 1.0 : mad(defensive, 0.5 - t27, t27);
+    bool t29 = t20 <= 1.0000019 && 4.9303807e-32 < t20 && 0.0 < strength && t22 && strength <= 3.4028235e38;
+    float t30 = ((0.0 < t28 || 0.0 < defensive) && t29) ? min(3.4028235e38, max(1.1754944e-38, t20 * t28 * strength)) : 0.0;
+    return t30;
 }
 
 
@@ -1359,32 +1362,33 @@ float spherecap_both_importance(float3 normal, float3 centre, float radius, floa
         t2 = t7 / t9;
         t3 = t8 / t9;
     }
-    float t10 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
-    float unscale = spherecap_power_of_two(min(8.5070587e37, t10));
-    float scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    float t11 = centre.x * scale;
-    float t12 = centre.y * scale;
-    float t13 = centre.z * scale;
-    float t14 = radius * scale;
-    float t15 = sqrt(mad(t11, t11, mad(t12, t12, t13 * t13)));
-    float t16 = 1.0 / t15;
-    float t17 = t14 * t16;
-    float t18 = t17 * t17;
-    float t19 = mad(t1, t1, mad(t2, t2, t3 * t3));
-    bool t20 = 0.0 <= defensive && defensive <= 1.0 && t19 <= 2.0 && 0.0 < radius && t15 * unscale <= 3.4028235e38;
-    float t21 = mad(t1, t11, mad(t2, t12, t3 * t13));
-    float t22 = max(0.0, mad(-t18, t18, 0.9999981));
-    float t23 = mad(t21, t16, 2.3841858e-7);
-    float t24 = mad(t21 + t14, t16, 2.3841858e-7);
-    float t25 = t17 <= t23 ? t23 : 0.0 < t24 ? t24 * t24 / (mad(t17 - t23, t22, t24) * 2.0) : 0.0;
-    float t26 = mad(-t21, t16, 2.3841858e-7);
-    float t27 = mad(-t21 + t14, t16, 2.3841858e-7);
-    float t28 = t17 <= t26 ? t26 : 0.0 < t27 ? t27 * t27 / (mad(t17 - t26, t22, t27) * 2.0) : 0.0;
-    float t29 = t25 + t28;
-    float t30 = t19 <= 0.0 ? 1.0 : mad(defensive, 0.5 - t29, t29);
-    bool t31 = t18 <= 1.0000019 && 4.9303807e-32 < t18 && 0.0 < strength && t20 && strength <= 3.4028235e38;
-    float t32 = ((0.0 < t30 || 0.0 < defensive) && t31) ? min(3.4028235e38, max(1.1754944e-38, t18 * t30 * strength)) : 0.0;
-    return t32;
+    bool t10 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    float t11 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    float unscale = spherecap_power_of_two(min(8.5070587e37, t11));
+    float t12 = t10 ? 1.0 : spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
+    float t13 = centre.x * t12;
+    float t14 = centre.y * t12;
+    float t15 = centre.z * t12;
+    float t16 = radius * t12;
+    float t17 = sqrt(mad(t13, t13, mad(t14, t14, t15 * t15)));
+    float t18 = 1.0 / t17;
+    float t19 = t16 * t18;
+    float t20 = t19 * t19;
+    float t21 = mad(t1, t1, mad(t2, t2, t3 * t3));
+    bool t22 = 0.0 <= defensive && defensive <= 1.0 && t21 <= 2.0 && 0.0 < radius && t17 * (t10 ? 1.0 : unscale) <= 3.4028235e38;
+    float t23 = mad(t1, t13, mad(t2, t14, t3 * t15));
+    float t24 = max(0.0, mad(-t20, t20, 0.9999981));
+    float t25 = mad(t23, t18, 2.3841858e-7);
+    float t26 = mad(t23 + t16, t18, 2.3841858e-7);
+    float t27 = t19 <= t25 ? t25 : 0.0 < t26 ? t26 * t26 / (mad(t19 - t25, t24, t26) * 2.0) : 0.0;
+    float t28 = mad(-t23, t18, 2.3841858e-7);
+    float t29 = mad(-t23 + t16, t18, 2.3841858e-7);
+    float t30 = t19 <= t28 ? t28 : 0.0 < t29 ? t29 * t29 / (mad(t19 - t28, t24, t29) * 2.0) : 0.0;
+    float t31 = t27 + t30;
+    float t32 = t21 <= 0.0 ? 1.0 : mad(defensive, 0.5 - t31, t31);
+    bool t33 = t20 <= 1.0000019 && 4.9303807e-32 < t20 && 0.0 < strength && t22 && strength <= 3.4028235e38;
+    float t34 = ((0.0 < t32 || 0.0 < defensive) && t33) ? min(3.4028235e38, max(1.1754944e-38, t20 * t32 * strength)) : 0.0;
+    return t34;
 }
 
 

@@ -441,26 +441,28 @@ fn spherecap_surface_pdf_on_sphere(light: spherecap_surface_light, direction: ve
 }
 
 fn spherecap_surface_importance(normal: vec3f, centre: vec3f, radius: f32, strength: f32) -> f32 {
-    let t1 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
-    let unscale = spherecap_power_of_two(min(8.5070587e37, t1));
-    let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t2 = centre.x * scale;
-    let t3 = centre.y * scale;
-    let t4 = centre.z * scale;
-    let t5 = radius * scale;
-    let t6 = sqrt(fma(t2, t2, fma(t3, t3, t4 * t4)));
-    let t7 = 1.0 / t6;
-    let t8 = t5 * t7;
-    let t9 = t8 * t8;
-    let t10 = 0.0 < radius && t6 * unscale <= 3.4028235e38 && 0.0 < strength && strength <= 3.4028235e38;
-    let t11 = fma(normal.x, t2, fma(normal.y, t3, normal.z * t4));
-    let t12 = fma(t11, t7, 2.3841858e-7);
-    let t13 = fma(t11 + t5, t7, 2.3841858e-7);
-    let t14 = t13 * t13 / (fma(t8 - t12, max(0.0, fma(-t9, t9, 0.9999981)), t13) * 2.0);
-    let t15 = select(select(0.0, t14, 0.0 < t13), t12, t8 <= t12);
-    let t16 = fma(0.0, 0.5 - t15, t15);
-    let t17 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t9 * t16 * strength)), t9 <= 1.0000019 && 4.9303807e-32 < t9 && t10 && 0.0 < t16);
-    return t17;
+    let t1 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    let t2 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t2));
+    let t3 = select(spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale)), 1.0, t1);
+    let t4 = centre.x * t3;
+    let t5 = centre.y * t3;
+    let t6 = centre.z * t3;
+    let t7 = radius * t3;
+    let t8 = sqrt(fma(t4, t4, fma(t5, t5, t6 * t6)));
+    let t9 = 1.0 / t8;
+    let t10 = t7 * t9;
+    let t11 = t10 * t10;
+    let t12 = 0.0 < radius && t8 * select(unscale, 1.0, t1) <= 3.4028235e38 && 0.0 < strength;
+    let t13 = fma(normal.x, t4, fma(normal.y, t5, normal.z * t6));
+    let t14 = fma(t13, t9, 2.3841858e-7);
+    let t15 = fma(t13 + t7, t9, 2.3841858e-7);
+    let t16 = t15 * t15 / (fma(t10 - t14, max(0.0, fma(-t11, t11, 0.9999981)), t15) * 2.0);
+    let t17 = select(select(0.0, t16, 0.0 < t15), t14, t10 <= t14);
+    let t18 = fma(0.0, 0.5 - t17, t17);
+    let t19 = t11 <= 1.0000019 && 4.9303807e-32 < t11 && strength <= 3.4028235e38 && t12;
+    let t20 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t11 * t18 * strength)), 0.0 < t18 && t19);
+    return t20;
 }
 
 
@@ -919,28 +921,29 @@ fn spherecap_front_importance(normal: vec3f, centre: vec3f, radius: f32, defensi
         t2 = t7 / t9;
         t3 = t8 / t9;
     }
-    let t10 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
-    let unscale = spherecap_power_of_two(min(8.5070587e37, t10));
-    let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t11 = centre.x * scale;
-    let t12 = centre.y * scale;
-    let t13 = centre.z * scale;
-    let t14 = radius * scale;
-    let t15 = sqrt(fma(t11, t11, fma(t12, t12, t13 * t13)));
-    let t16 = 1.0 / t15;
-    let t17 = t14 * t16;
-    let t18 = t17 * t17;
-    let t19 = fma(t1, t1, fma(t2, t2, t3 * t3));
-    let t20 = 0.0 <= defensive && defensive <= 1.0 && t19 <= 2.0 && 0.0 < radius && t15 * unscale <= 3.4028235e38;
-    let t21 = fma(t1, t11, fma(t2, t12, t3 * t13));
-    let t22 = fma(t21, t16, 2.3841858e-7);
-    let t23 = fma(t21 + t14, t16, 2.3841858e-7);
-    let t24 = t23 * t23 / (fma(t17 - t22, max(0.0, fma(-t18, t18, 0.9999981)), t23) * 2.0);
-    let t25 = select(select(0.0, t24, 0.0 < t23), t22, t17 <= t22);
-    let t26 = select(fma(defensive, 0.5 - t25, t25), 1.0, t19 <= 0.0);
-    let t27 = t18 <= 1.0000019 && 4.9303807e-32 < t18 && 0.0 < strength && t20 && strength <= 3.4028235e38;
-    let t28 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t18 * t26 * strength)), (0.0 < t26 || 0.0 < defensive) && t27);
-    return t28;
+    let t10 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    let t11 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t11));
+    let t12 = select(spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale)), 1.0, t10);
+    let t13 = centre.x * t12;
+    let t14 = centre.y * t12;
+    let t15 = centre.z * t12;
+    let t16 = radius * t12;
+    let t17 = sqrt(fma(t13, t13, fma(t14, t14, t15 * t15)));
+    let t18 = 1.0 / t17;
+    let t19 = t16 * t18;
+    let t20 = t19 * t19;
+    let t21 = fma(t1, t1, fma(t2, t2, t3 * t3));
+    let t22 = 0.0 <= defensive && defensive <= 1.0 && t21 <= 2.0 && 0.0 < radius && t17 * select(unscale, 1.0, t10) <= 3.4028235e38;
+    let t23 = fma(t1, t13, fma(t2, t14, t3 * t15));
+    let t24 = fma(t23, t18, 2.3841858e-7);
+    let t25 = fma(t23 + t16, t18, 2.3841858e-7);
+    let t26 = t25 * t25 / (fma(t19 - t24, max(0.0, fma(-t20, t20, 0.9999981)), t25) * 2.0);
+    let t27 = select(select(0.0, t26, 0.0 < t25), t24, t19 <= t24);
+    let t28 = select(fma(defensive, 0.5 - t27, t27), 1.0, t21 <= 0.0);
+    let t29 = t20 <= 1.0000019 && 4.9303807e-32 < t20 && 0.0 < strength && t22 && strength <= 3.4028235e38;
+    let t30 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t20 * t28 * strength)), (0.0 < t28 || 0.0 < defensive) && t29);
+    return t30;
 }
 
 
@@ -1447,31 +1450,32 @@ fn spherecap_both_importance(normal: vec3f, centre: vec3f, radius: f32, defensiv
         t2 = t7 / t9;
         t3 = t8 / t9;
     }
-    let t10 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
-    let unscale = spherecap_power_of_two(min(8.5070587e37, t10));
-    let scale = spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale));
-    let t11 = centre.x * scale;
-    let t12 = centre.y * scale;
-    let t13 = centre.z * scale;
-    let t14 = radius * scale;
-    let t15 = sqrt(fma(t11, t11, fma(t12, t12, t13 * t13)));
-    let t16 = 1.0 / t15;
-    let t17 = t14 * t16;
-    let t18 = t17 * t17;
-    let t19 = fma(t1, t1, fma(t2, t2, t3 * t3));
-    let t20 = 0.0 <= defensive && defensive <= 1.0 && t19 <= 2.0 && 0.0 < radius && t15 * unscale <= 3.4028235e38;
-    let t21 = fma(t1, t11, fma(t2, t12, t3 * t13));
-    let t22 = max(0.0, fma(-t18, t18, 0.9999981));
-    let t23 = fma(t21, t16, 2.3841858e-7);
-    let t24 = fma(t21 + t14, t16, 2.3841858e-7);
-    let t25 = select(select(0.0, t24 * t24 / (fma(t17 - t23, t22, t24) * 2.0), 0.0 < t24), t23, t17 <= t23);
-    let t26 = fma(-t21, t16, 2.3841858e-7);
-    let t27 = fma(-t21 + t14, t16, 2.3841858e-7);
-    let t28 = select(select(0.0, t27 * t27 / (fma(t17 - t26, t22, t27) * 2.0), 0.0 < t27), t26, t17 <= t26);
-    let t29 = t25 + t28;
-    let t30 = select(fma(defensive, 0.5 - t29, t29), 1.0, t19 <= 0.0);
-    let t31 = t18 <= 1.0000019 && 4.9303807e-32 < t18 && 0.0 < strength && t20 && strength <= 3.4028235e38;
-    let t32 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t18 * t30 * strength)), (0.0 < t30 || 0.0 < defensive) && t31);
-    return t32;
+    let t10 = dot(centre, centre) < 1099511600000.0 && 9.536743e-7 < radius;
+    let t11 = max(1.1754944e-38, abs(centre.x) + abs(centre.y) + (abs(centre.z) + radius));
+    let unscale = spherecap_power_of_two(min(8.5070587e37, t11));
+    let t12 = select(spherecap_float_of_bits(2130706400.0 - spherecap_bits(unscale)), 1.0, t10);
+    let t13 = centre.x * t12;
+    let t14 = centre.y * t12;
+    let t15 = centre.z * t12;
+    let t16 = radius * t12;
+    let t17 = sqrt(fma(t13, t13, fma(t14, t14, t15 * t15)));
+    let t18 = 1.0 / t17;
+    let t19 = t16 * t18;
+    let t20 = t19 * t19;
+    let t21 = fma(t1, t1, fma(t2, t2, t3 * t3));
+    let t22 = 0.0 <= defensive && defensive <= 1.0 && t21 <= 2.0 && 0.0 < radius && t17 * select(unscale, 1.0, t10) <= 3.4028235e38;
+    let t23 = fma(t1, t13, fma(t2, t14, t3 * t15));
+    let t24 = max(0.0, fma(-t20, t20, 0.9999981));
+    let t25 = fma(t23, t18, 2.3841858e-7);
+    let t26 = fma(t23 + t16, t18, 2.3841858e-7);
+    let t27 = select(select(0.0, t26 * t26 / (fma(t19 - t25, t24, t26) * 2.0), 0.0 < t26), t25, t19 <= t25);
+    let t28 = fma(-t23, t18, 2.3841858e-7);
+    let t29 = fma(-t23 + t16, t18, 2.3841858e-7);
+    let t30 = select(select(0.0, t29 * t29 / (fma(t19 - t28, t24, t29) * 2.0), 0.0 < t29), t28, t19 <= t28);
+    let t31 = t27 + t30;
+    let t32 = select(fma(defensive, 0.5 - t31, t31), 1.0, t21 <= 0.0);
+    let t33 = t20 <= 1.0000019 && 4.9303807e-32 < t20 && 0.0 < strength && t22 && strength <= 3.4028235e38;
+    let t34 = select(0.0, min(3.4028235e38, max(1.1754944e-38, t20 * t32 * strength)), (0.0 < t32 || 0.0 < defensive) && t33);
+    return t34;
 }
 

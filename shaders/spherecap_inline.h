@@ -462,27 +462,30 @@ static inline float spherecap_inline_surface_pdf_on_sphere(const spherecap_inlin
 
 static inline float spherecap_inline_surface_importance(const float normal[3], const float centre[3], float radius, float strength)
 {
-    const float t1 = spherecap_inline_max(fabsf(centre[0]) + fabsf(centre[1]) + (fabsf(centre[2]) + radius), 1.1754944e-38f);
-    const float unscale = spherecap_inline_power_of_two(spherecap_inline_min(t1, 8.5070587e37f));
+    const float t1 = fmaf(centre[0], centre[0], fmaf(centre[1], centre[1], centre[2] * centre[2]));
+    const bool t2 = t1 < 1099511600000.0f && 9.536743e-7f < radius;
+    const float t3 = spherecap_inline_max(fabsf(centre[0]) + fabsf(centre[1]) + (fabsf(centre[2]) + radius), 1.1754944e-38f);
+    const float unscale = spherecap_inline_power_of_two(spherecap_inline_min(t3, 8.5070587e37f));
     const float scale = spherecap_inline_float_of_bits(2130706400.0f - spherecap_inline_bits(unscale));
-    const float t2 = centre[0] * scale;
-    const float t3 = centre[1] * scale;
-    const float t4 = centre[2] * scale;
-    const float t5 = radius * scale;
-    const float t6 = sqrtf(fmaf(t2, t2, fmaf(t3, t3, t4 * t4)));
-    const float t7 = 1.0f / t6;
-    const float t8 = t5 * t7;
-    const float t9 = t8 * t8;
-    const bool t10 = 0.0f < radius && t6 * unscale <= 3.4028235e38f && 0.0f < strength && strength <= 3.4028235e38f;
-    const float t11 = fmaf(normal[0], t2, fmaf(normal[1], t3, normal[2] * t4));
-    const float t12 = fmaf(t11, t7, 2.3841858e-7f);
-    const float t13 = fmaf(t11 + t5, t7, 2.3841858e-7f);
-    const float t14 = fmaf(t8 - t12, spherecap_inline_max(fmaf(-t9, t9, 0.9999981f), 0.0f), t13);
-    const float t15 = t8 <= t12 ? t12 : 0.0f < t13 ? t13 * t13 / (t14 * 2.0f) : 0.0f;
-    const float t16 = fmaf(0.0f, 0.5f - t15, t15);
-    const float t17 = spherecap_inline_min(spherecap_inline_max(t9 * t16 * strength, 1.1754944e-38f), 3.4028235e38f);
-    const float t18 = (t9 <= 1.0000019f && 4.9303807e-32f < t9 && t10 && 0.0f < t16) ? t17 : 0.0f;
-    return t18;
+    const float t4 = t2 ? 1.0f : scale;
+    const float t5 = centre[0] * t4;
+    const float t6 = centre[1] * t4;
+    const float t7 = centre[2] * t4;
+    const float t8 = radius * t4;
+    const float t9 = sqrtf(fmaf(t5, t5, fmaf(t6, t6, t7 * t7)));
+    const float t10 = 1.0f / t9;
+    const float t11 = t8 * t10;
+    const float t12 = t11 * t11;
+    const bool t13 = 0.0f < radius && t9 * (t2 ? 1.0f : unscale) <= 3.4028235e38f && 0.0f < strength;
+    const float t14 = fmaf(normal[0], t5, fmaf(normal[1], t6, normal[2] * t7));
+    const float t15 = fmaf(t14, t10, 2.3841858e-7f);
+    const float t16 = fmaf(t14 + t8, t10, 2.3841858e-7f);
+    const float t17 = fmaf(t11 - t15, spherecap_inline_max(fmaf(-t12, t12, 0.9999981f), 0.0f), t16);
+    const float t18 = t11 <= t15 ? t15 : 0.0f < t16 ? t16 * t16 / (t17 * 2.0f) : 0.0f;
+    const float t19 = fmaf(0.0f, 0.5f - t18, t18);
+    const bool t20 = t12 <= 1.0000019f && 4.9303807e-32f < t12 && strength <= 3.4028235e38f && t13;
+    const float t21 = spherecap_inline_min(spherecap_inline_max(t12 * t19 * strength, 1.1754944e-38f), 3.4028235e38f);
+    return (0.0f < t19 && t20) ? t21 : 0.0f;
 }
 
 
@@ -934,28 +937,31 @@ static inline float spherecap_inline_front_importance(const float normal[3], con
         t3 = t8 / t10;
         t4 = t9 / t10;
     }
-    const float t11 = spherecap_inline_max(fabsf(centre[0]) + fabsf(centre[1]) + (fabsf(centre[2]) + radius), 1.1754944e-38f);
-    const float unscale = spherecap_inline_power_of_two(spherecap_inline_min(t11, 8.5070587e37f));
+    const float t11 = fmaf(centre[0], centre[0], fmaf(centre[1], centre[1], centre[2] * centre[2]));
+    const bool t12 = t11 < 1099511600000.0f && 9.536743e-7f < radius;
+    const float t13 = spherecap_inline_max(fabsf(centre[0]) + fabsf(centre[1]) + (fabsf(centre[2]) + radius), 1.1754944e-38f);
+    const float unscale = spherecap_inline_power_of_two(spherecap_inline_min(t13, 8.5070587e37f));
     const float scale = spherecap_inline_float_of_bits(2130706400.0f - spherecap_inline_bits(unscale));
-    const float t12 = centre[0] * scale;
-    const float t13 = centre[1] * scale;
-    const float t14 = centre[2] * scale;
-    const float t15 = radius * scale;
-    const float t16 = sqrtf(fmaf(t12, t12, fmaf(t13, t13, t14 * t14)));
-    const float t17 = 1.0f / t16;
-    const float t18 = t15 * t17;
-    const float t19 = t18 * t18;
-    const float t20 = fmaf(t2, t2, fmaf(t3, t3, t4 * t4));
-    const bool t21 = 0.0f <= defensive && defensive <= 1.0f && t20 <= 2.0f && 0.0f < radius && t16 * unscale <= 3.4028235e38f;
-    const float t22 = fmaf(t2, t12, fmaf(t3, t13, t4 * t14));
-    const float t23 = fmaf(t22, t17, 2.3841858e-7f);
-    const float t24 = fmaf(t22 + t15, t17, 2.3841858e-7f);
-    const float t25 = fmaf(t18 - t23, spherecap_inline_max(fmaf(-t19, t19, 0.9999981f), 0.0f), t24);
-    const float t26 = t18 <= t23 ? t23 : 0.0f < t24 ? t24 * t24 / (t25 * 2.0f) : 0.0f;
-    const float t27 = t20 <= 0.0f ? 1.0f : fmaf(defensive, 0.5f - t26, t26);
-    const bool t28 = t19 <= 1.0000019f && 4.9303807e-32f < t19 && 0.0f < strength && t21 && strength <= 3.4028235e38f;
-    const float t29 = spherecap_inline_min(spherecap_inline_max(t19 * t27 * strength, 1.1754944e-38f), 3.4028235e38f);
-    return ((0.0f < t27 || 0.0f < defensive) && t28) ? t29 : 0.0f;
+    const float t14 = t12 ? 1.0f : scale;
+    const float t15 = centre[0] * t14;
+    const float t16 = centre[1] * t14;
+    const float t17 = centre[2] * t14;
+    const float t18 = radius * t14;
+    const float t19 = sqrtf(fmaf(t15, t15, fmaf(t16, t16, t17 * t17)));
+    const float t20 = 1.0f / t19;
+    const float t21 = t18 * t20;
+    const float t22 = t21 * t21;
+    const float t23 = fmaf(t2, t2, fmaf(t3, t3, t4 * t4));
+    const bool t24 = 0.0f <= defensive && defensive <= 1.0f && t23 <= 2.0f && 0.0f < radius && t19 * (t12 ? 1.0f : unscale) <= 3.4028235e38f;
+    const float t25 = fmaf(t2, t15, fmaf(t3, t16, t4 * t17));
+    const float t26 = fmaf(t25, t20, 2.3841858e-7f);
+    const float t27 = fmaf(t25 + t18, t20, 2.3841858e-7f);
+    const float t28 = fmaf(t21 - t26, spherecap_inline_max(fmaf(-t22, t22, 0.9999981f), 0.0f), t27);
+    const float t29 = t21 <= t26 ? t26 : 0.0f < t27 ? t27 * t27 / (t28 * 2.0f) : 0.0f;
+    const float t30 = t23 <= 0.0f ? 1.0f : fmaf(defensive, 0.5f - t29, t29);
+    const bool t31 = t22 <= 1.0000019f && 4.9303807e-32f < t22 && 0.0f < strength && t24 && strength <= 3.4028235e38f;
+    const float t32 = spherecap_inline_min(spherecap_inline_max(t22 * t30 * strength, 1.1754944e-38f), 3.4028235e38f);
+    return ((0.0f < t30 || 0.0f < defensive) && t31) ? t32 : 0.0f;
 }
 
 
@@ -1456,32 +1462,35 @@ static inline float spherecap_inline_both_importance(const float normal[3], cons
         t3 = t8 / t10;
         t4 = t9 / t10;
     }
-    const float t11 = spherecap_inline_max(fabsf(centre[0]) + fabsf(centre[1]) + (fabsf(centre[2]) + radius), 1.1754944e-38f);
-    const float unscale = spherecap_inline_power_of_two(spherecap_inline_min(t11, 8.5070587e37f));
+    const float t11 = fmaf(centre[0], centre[0], fmaf(centre[1], centre[1], centre[2] * centre[2]));
+    const bool t12 = t11 < 1099511600000.0f && 9.536743e-7f < radius;
+    const float t13 = spherecap_inline_max(fabsf(centre[0]) + fabsf(centre[1]) + (fabsf(centre[2]) + radius), 1.1754944e-38f);
+    const float unscale = spherecap_inline_power_of_two(spherecap_inline_min(t13, 8.5070587e37f));
     const float scale = spherecap_inline_float_of_bits(2130706400.0f - spherecap_inline_bits(unscale));
-    const float t12 = centre[0] * scale;
-    const float t13 = centre[1] * scale;
-    const float t14 = centre[2] * scale;
-    const float t15 = radius * scale;
-    const float t16 = sqrtf(fmaf(t12, t12, fmaf(t13, t13, t14 * t14)));
-    const float t17 = 1.0f / t16;
-    const float t18 = t15 * t17;
-    const float t19 = t18 * t18;
-    const float t20 = fmaf(t2, t2, fmaf(t3, t3, t4 * t4));
-    const bool t21 = 0.0f <= defensive && defensive <= 1.0f && t20 <= 2.0f && 0.0f < radius && t16 * unscale <= 3.4028235e38f;
-    const float t22 = fmaf(t2, t12, fmaf(t3, t13, t4 * t14));
-    const float t23 = spherecap_inline_max(fmaf(-t19, t19, 0.9999981f), 0.0f);
-    const float t24 = fmaf(t22, t17, 2.3841858e-7f);
-    const float t25 = fmaf(t22 + t15, t17, 2.3841858e-7f);
-    const float t26 = t18 <= t24 ? t24 : 0.0f < t25 ? t25 * t25 / (fmaf(t18 - t24, t23, t25) * 2.0f) : 0.0f;
-    const float t27 = fmaf(-t22, t17, 2.3841858e-7f);
-    const float t28 = fmaf(-t22 + t15, t17, 2.3841858e-7f);
-    const float t29 = t18 <= t27 ? t27 : 0.0f < t28 ? t28 * t28 / (fmaf(t18 - t27, t23, t28) * 2.0f) : 0.0f;
-    const float t30 = t26 + t29;
-    const float t31 = t20 <= 0.0f ? 1.0f : fmaf(defensive, 0.5f - t30, t30);
-    const bool t32 = t19 <= 1.0000019f && 4.9303807e-32f < t19 && 0.0f < strength && t21 && strength <= 3.4028235e38f;
-    const float t33 = spherecap_inline_min(spherecap_inline_max(t19 * t31 * strength, 1.1754944e-38f), 3.4028235e38f);
-    return ((0.0f < t31 || 0.0f < defensive) && t32) ? t33 : 0.0f;
+    const float t14 = t12 ? 1.0f : scale;
+    const float t15 = centre[0] * t14;
+    const float t16 = centre[1] * t14;
+    const float t17 = centre[2] * t14;
+    const float t18 = radius * t14;
+    const float t19 = sqrtf(fmaf(t15, t15, fmaf(t16, t16, t17 * t17)));
+    const float t20 = 1.0f / t19;
+    const float t21 = t18 * t20;
+    const float t22 = t21 * t21;
+    const float t23 = fmaf(t2, t2, fmaf(t3, t3, t4 * t4));
+    const bool t24 = 0.0f <= defensive && defensive <= 1.0f && t23 <= 2.0f && 0.0f < radius && t19 * (t12 ? 1.0f : unscale) <= 3.4028235e38f;
+    const float t25 = fmaf(t2, t15, fmaf(t3, t16, t4 * t17));
+    const float t26 = spherecap_inline_max(fmaf(-t22, t22, 0.9999981f), 0.0f);
+    const float t27 = fmaf(t25, t20, 2.3841858e-7f);
+    const float t28 = fmaf(t25 + t18, t20, 2.3841858e-7f);
+    const float t29 = t21 <= t27 ? t27 : 0.0f < t28 ? t28 * t28 / (fmaf(t21 - t27, t26, t28) * 2.0f) : 0.0f;
+    const float t30 = fmaf(-t25, t20, 2.3841858e-7f);
+    const float t31 = fmaf(-t25 + t18, t20, 2.3841858e-7f);
+    const float t32 = t21 <= t30 ? t30 : 0.0f < t31 ? t31 * t31 / (fmaf(t21 - t30, t26, t31) * 2.0f) : 0.0f;
+    const float t33 = t29 + t32;
+    const float t34 = t23 <= 0.0f ? 1.0f : fmaf(defensive, 0.5f - t33, t33);
+    const bool t35 = t22 <= 1.0000019f && 4.9303807e-32f < t22 && 0.0f < strength && t24 && strength <= 3.4028235e38f;
+    const float t36 = spherecap_inline_min(spherecap_inline_max(t22 * t34 * strength, 1.1754944e-38f), 3.4028235e38f);
+    return ((0.0f < t34 || 0.0f < defensive) && t35) ? t36 : 0.0f;
 }
 
 

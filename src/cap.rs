@@ -31,9 +31,10 @@ use core::f64::consts::PI;
 use crescent::Areas;
 use frame::Frame;
 use horizon::Horizon;
-use sphere::{Lengths, Sphere};
+use sphere::Sphere;
 
 pub(crate) use crescent::{Crescent, Cut};
+pub(crate) use sphere::Lengths;
 
 /// A sphere as seen from a point on a surface: the geometry that every technique shares.
 ///

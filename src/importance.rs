@@ -13,9 +13,9 @@
 //! Rounding must hide no light that [`Sampler`](crate::Sampler) sees, so `Z` and `T` are raised, and `1 - s^4` lowered, by what it may
 //! do: [`MARGIN`] and [`MARGIN_OF_FOURTH_POWER`]. docs/mathematics.md has the bound in the other direction.
 
+use crate::cap::Lengths;
 use crate::input::{is_fraction, unit_or_zero};
 use crate::lane::{lit, Lane};
-use crate::math::power_of_two_near_reciprocal;
 use crate::strategy::{Hemispheres, Receiver, Strategy, Technique};
 use crate::vec3::Vec3;
 
@@ -72,14 +72,12 @@ pub(crate) fn importance_and_distance<L: Lane>(
 ) -> (L, L) {
     let (zero, one, largest) = (L::lit(0.0), L::lit(1.0), L::lit(L::MAX));
     let Strategy { technique, hemispheres, defensive } = strategy;
-    let size = (centre.x.abs() + centre.y.abs()) + (centre.z.abs() + radius);
-    let [scale, unscale] = power_of_two_near_reciprocal(size);
-    let (c, r) = (centre * scale, radius * scale);
+    let Lengths { centre: c, radius: r, unit: unit_length } = Lengths::new(centre, radius);
     let d = c.dot(c).sqrt();
     let inv_d = lit(1.0) / d;
     let s = r * inv_d;
     let s2 = s * s;
-    let distance = d * unscale;
+    let distance = d * unit_length;
 
     // False for NaN. `s` is also that of a kernel which computes it more precisely: what that sees is seen here.
     let rounded = L::lit(1.0 + MARGIN_OF_FOURTH_POWER * L::EPSILON);

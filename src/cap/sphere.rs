@@ -24,7 +24,7 @@ pub(super) struct Sphere<L> {
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct Lengths<L> {
+pub(crate) struct Lengths<L> {
     pub centre: Vec3<L>,
     pub radius: L,
     /// Their unit, in the caller's.
@@ -35,10 +35,7 @@ blend_fields!(Lengths { centre, radius, unit });
 impl<L: Lane> Sphere<L> {
     #[inline(always)]
     pub(super) fn new(centre: Vec3<L>, radius: L) -> Self {
-        let given = Lengths { centre, radius, unit: L::lit(1.0) };
-        let is_moderate =
-            centre.dot(centre).lt(L::lit(MODERATE * MODERATE)) & L::lit(1.0 / MODERATE).lt(radius);
-        let lengths = branch!(is_moderate, given, given.scaled());
+        let lengths = Lengths::new(centre, radius);
         let Lengths { centre: c, radius: r, .. } = lengths;
         let distance2 = c.dot(c);
         let gap = (-r).fma(r, distance2);
@@ -55,6 +52,15 @@ impl<L: Lane> Sphere<L> {
 }
 
 impl<L: Lane> Lengths<L> {
+    /// In the caller's unit, where no square over- or underflows in that.
+    #[inline(always)]
+    pub(crate) fn new(centre: Vec3<L>, radius: L) -> Self {
+        let given = Self { centre, radius, unit: L::lit(1.0) };
+        let is_moderate =
+            centre.dot(centre).lt(L::lit(MODERATE * MODERATE)) & L::lit(1.0 / MODERATE).lt(radius);
+        branch!(is_moderate, given, given.scaled())
+    }
+
     /// The same in a unit near the distance: a power of two, so that nothing is rounded.
     #[inline(always)]
     fn scaled(self) -> Self {
