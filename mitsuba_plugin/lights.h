@@ -11,6 +11,9 @@
 
 #pragma once
 
+#include <algorithm>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include <drjit/while_loop.h>
@@ -22,6 +25,72 @@
 #include "strategy.h"
 
 NAMESPACE_BEGIN(mitsuba)
+
+/// An answer that all lights of a group give alike. In a virtual call Dr.Jit records the program of each in
+/// turn, and all with the same inputs: what the first has recorded is the others' as well.
+class Recorded {
+public:
+    template <typename Answer, typename Body, typename... Inputs>
+    Answer get(bool is_last, const Body &body, const Inputs &...inputs) {
+        const std::lock_guard<std::mutex> guard(m_mutex);
+        Variables asked;
+        (dr::detail::collect_indices<true>(inputs, asked), ...);
+        Answer answer;
+        if (is_known(asked)) {
+            dr::detail::update_indices(answer, m_answer);
+        } else {
+            answer = body();
+            m_inputs.release();
+            m_answer.release();
+            m_inputs = std::move(asked);
+            dr::detail::collect_indices<true>(answer, m_answer);
+        }
+        if (is_last) { // Nothing of a recording outlives it.
+            m_inputs.release();
+            m_answer.release();
+        }
+        return answer;
+    }
+
+private:
+    /// They are kept, so none is freed and its number used anew.
+    using Variables = dr::detail::index64_vector;
+
+    bool is_known(const Variables &asked) const { return asked == m_inputs; }
+
+    std::mutex m_mutex;
+    Variables m_inputs, m_answer;
+};
+
+/// The places of lights by the numbers that Dr.Jit has given them, of which the last is the largest.
+inline std::vector<uint32_t> places_of(const void *const *lights, size_t count) {
+    std::vector<uint32_t> places;
+    for (size_t place = 0; place < count; ++place) {
+        const size_t id = jit_registry_id(lights[place]);
+        if (places.size() <= id)
+            places.resize(id + 1);
+        places[id] = uint32_t(place);
+    }
+    return places;
+}
+
+/// Four numbers for each light: `Lights::Part`, and a zero.
+inline std::vector<float> parts_of(const std::vector<float> &weights) {
+    float sum = 0.f, before = 0.f;
+    for (const float weight : weights)
+        sum += weight;
+    std::vector<float> parts(4 * weights.size());
+    for (size_t i = 0; i < weights.size(); ++i) {
+        // One without a weight is never asked for a sample, and no other light answers with one of its own.
+        if (weights[i] > 0.f) {
+            parts[4 * i] = weights[i] / sum;
+            parts[4 * i + 1] = sum / weights[i];
+            parts[4 * i + 2] = before / sum;
+        }
+        before += weights[i];
+    }
+    return parts;
+}
 
 template <typename Float, typename Spectrum>
 class Lights final : public Object {
@@ -36,14 +105,24 @@ public:
         Float probability, rest;
     };
 
-    explicit Lights(const std::vector<const Emitter *> &members) : m_count(members.size()) {
+    /// Mitsuba's random number, shared out among all lights by the weights that it chooses them with: the
+    /// part of it for which it asks a light, its reciprocal (0 without a weight), and where it begins.
+    struct Part {
+        Float share, inv_share, before;
+    };
+
+    // Cold code is what a scene runs once: it is compiled for size.
+    [[gnu::cold]] explicit Lights(const std::vector<const Emitter *> &members) : m_count(members.size()) {
         if constexpr (dr::is_jit_v<Float>) {
             m_geometry = dr::zeros<Table>(4 * m_count);
             m_strength = dr::zeros<Table>(m_count);
             m_radiance = dr::zeros<Table>(Channels * m_count);
             m_members = dr::load<DynamicBuffer<EmitterPtr>>(members.data(), m_count);
             m_attached.resize(m_count);
-            dr::eval(m_geometry, m_strength, m_radiance, m_members);
+            const std::vector<uint32_t> places = places_of((const void *const *)members.data(), m_count);
+            m_last = uint32_t(places.size()) - 1;
+            m_places = dr::load<DynamicBuffer<UInt32>>(places.data(), places.size());
+            dr::eval(m_geometry, m_strength, m_radiance, m_members, m_places);
         } else {
             m_members = members;
             for (Numbers &numbers : m_numbers)
@@ -73,6 +152,27 @@ public:
                                       strength};
             for (size_t i = 0; i < 5; ++i)
                 m_numbers[i][place] = numbers[i];
+        }
+    }
+
+    /// Tells the weights that Mitsuba chooses the lights with.
+    void weigh(const std::vector<float> &weights) {
+        const std::vector<float> parts = parts_of(weights);
+        if constexpr (dr::is_jit_v<Float>) {
+            m_parts = dr::load<Table>(parts.data(), parts.size());
+            dr::eval(m_parts);
+        } else {
+            m_parts = parts;
+        }
+    }
+
+    Part part(const UInt32 &index, const Mask &active) const {
+        if constexpr (dr::is_jit_v<Float>) {
+            const auto row = dr::gather<dr::Array<Float, 4>>(m_parts, index, active);
+            return {row[0], row[1], row[2]};
+        } else {
+            const float *row = &m_parts[4 * index];
+            return {row[0], row[1], row[2]};
         }
     }
 
@@ -157,9 +257,41 @@ public:
         }
     }
 
+    /// Is a virtual call recorded that has reached this light, and whose answers all lights may share? Not
+    /// what is differentiated, and no spectral radiance, which each has of its own.
+    template <typename... Inputs>
+    bool may_share(const Emitter *light, const Inputs &...inputs) const {
+        if constexpr (HasRadiance) {
+            const auto [id, self] = asked();
+            return jit_flag(JitFlag::SymbolicScope) && id != 0 && id == jit_registry_id(light) &&
+                   !dr::grad_enabled(m_geometry, m_radiance, inputs...);
+        } else {
+            return false;
+        }
+    }
+
+    /// The answer that they share, of a function of the place of the light that is asked.
+    template <typename Answer, typename Body, typename... Inputs>
+    Answer shared(Recorded &recorded, const Body &body, const Inputs &...inputs) const {
+        const auto [id, self] = asked();
+        const UInt32 light = UInt32::borrow(self);
+        return recorded.get<Answer>(
+            id == m_last, [&] { return body(dr::gather<UInt32>(m_places, light)); }, inputs...);
+    }
+
+    mutable Recorded samples, densities;
+
     MI_DECLARE_CLASS(Lights)
 
 private:
+    /// The light that is asked for, where virtual calls are recorded: which it is, and the variable that says
+    /// so for all of them.
+    static std::pair<uint32_t, uint32_t> asked() {
+        std::pair<uint32_t, uint32_t> result;
+        jit_var_self(dr::backend_v<Float>, &result.first, &result.second);
+        return result;
+    }
+
     using Table = DynamicBuffer<Float>;
     static constexpr uint32_t Channels = dr::size_v<UnpolarizedSpectrum>;
 
@@ -273,11 +405,15 @@ private:
     bool m_is_complete = true;
     Numbers m_numbers[5];
     Table m_geometry, m_strength, m_radiance;
+    std::conditional_t<dr::is_jit_v<Float>, Table, std::vector<float>> m_parts;
     std::vector<Attached> m_attached;
+    /// The places of lights by their numbers in Dr.Jit, and the last of those.
+    DynamicBuffer<UInt32> m_places;
+    uint32_t m_last = 0;
     std::conditional_t<dr::is_jit_v<Float>, DynamicBuffer<EmitterPtr>, std::vector<const Emitter *>>
         m_members;
 
-    MI_TRAVERSE_CB(Object, m_geometry, m_strength, m_radiance, m_members)
+    MI_TRAVERSE_CB(Object, m_geometry, m_strength, m_radiance, m_parts, m_places, m_members)
 };
 
 NAMESPACE_END(mitsuba)

@@ -178,7 +178,7 @@ public:
     using Sphere = mitsuba::Sphere<Float>;
     using Lights = mitsuba::Lights<Float, Spectrum>;
 
-    SphereCap(const Properties &props) : Base(supported(props)) {
+    [[gnu::cold]] SphereCap(const Properties &props) : Base(supported(props)) {
         if (props.has_property("to_world"))
             Throw(
                 "A spherecap emitter takes no \"to_world\": it follows its sphere, so transform the sphere.");
@@ -218,7 +218,7 @@ public:
         if (is_grouped()) {
             tell();
             if (keys.empty() || string::contains(keys, "sampling_weight"))
-                weigh(m_colleagues);
+                weigh();
         }
     }
 
@@ -262,63 +262,32 @@ public:
         if (!attached())
             return {dr::zeros<DirectionSample3f>(), 0.f};
 
-        // Which light, how much of the density is the choice's, and the random numbers for the direction
-        Sphere sphere = m_sphere;
-        Float chosen = 1.f;
-        UInt32 index = m_index;
-        Point2f u = sample;
-        const bool answers_for_all = is_grouped();
-        if (answers_for_all) {
-            // Mitsuba has stretched the number to choose this light: what it was before is one for all.
-            const typename Lights::Choice choice =
-                m_lights->choose(strategy(), dr::detach(it.p), dr::detach(it.n),
-                                 dr::fmadd(m_share, dr::detach(sample.x()), m_before), active);
-            active &= choice.probability > 0.f;
-            index = choice.index;
-            sphere = m_lights->sphere(index, active);
-            chosen = choice.probability * m_inv_share;
-            u.x() = choice.rest;
-        }
-
-        DirectionSample3f ds = sample_cap(sphere, it, u, active && !is_own(sphere, it));
-        if constexpr (dr::is_diff_v<Float>) {
-            if (dr::grad_enabled(it.p, sphere))
-                Following<Float>::attach(sphere, it.p, ds.d, ds.dist, ds.p, ds.n, ds.pdf);
-        }
-        ds.pdf *= chosen;
-        ds.time = it.time;
-        ds.emitter = this;
-        active &= ds.pdf != 0.f;
-        if (!answers_for_all) {
-            SurfaceInteraction3f si(ds, it.wavelengths);
-            UnpolarizedSpectrum weight = m_radiance->eval(si, active) / ds.pdf;
-            return {ds, depolarizer<Spectrum>(weight) & active};
-        }
-        ds.emitter = m_lights->emitter(index, active);
+        if (!is_grouped())
+            return sample_itself(it, sample, active);
         if constexpr (Lights::HasRadiance)
-            return {ds, depolarizer<Spectrum>(m_lights->radiance(index, active) / ds.pdf) & active};
-        else if (dr::none_or<false>(active))
-            return {dr::zeros<DirectionSample3f>(), 0.f};
-        else
-            return {ds, (ds.emitter->eval_direction(it, ds, active) / ds.pdf) & active};
+            if (m_lights->may_share(this, it, sample))
+                return m_lights->template shared<std::pair<DirectionSample3f, Spectrum>>(
+                    m_lights->samples,
+                    [&](const UInt32 &asked) { return sample_group(asked, it, sample, active); }, it, sample,
+                    active);
+        return sample_group(m_index, it, sample, active);
     }
 
     Float pdf_direction(const Interaction3f &it, const DirectionSample3f &ds, Mask active) const override {
         MI_MASKED_FUNCTION(ProfilerPhase::EndpointEvaluate, active);
         if (!attached())
             return 0.f;
-        // Whatever the normal: at the light's edge, where it is perpendicular, it may face away by rounding.
-        active &= !is_own(m_sphere, it);
-        Float pdf = dr::select(active, pdf_cap(it, ds.d, active), 0.f);
-        if constexpr (dr::is_diff_v<Float>) {
-            if (dr::grad_enabled(it.p, ds.d, m_sphere))
-                pdf = Following<Float>::attached_pdf(m_sphere, it.p, it.n, ds.d, pdf, uniform());
-        }
-        if (is_grouped())
-            pdf *= m_lights->probability(strategy(), dr::detach(it.p), dr::detach(it.n), m_index,
-                                         active && pdf != 0.f) *
-                   m_inv_share;
-        return pdf;
+        if (!is_grouped())
+            return pdf_of(m_sphere, it, ds.d, active);
+        if constexpr (Lights::HasRadiance)
+            if (m_lights->may_share(this, it, ds.d))
+                return m_lights->template shared<Float>(
+                    m_lights->densities,
+                    [&](const UInt32 &asked) {
+                        return pdf_in_group(asked, m_lights->sphere(asked, active), it, ds.d, active);
+                    },
+                    it.p, it.n, it.t, ds.d, active);
+        return pdf_in_group(m_index, m_sphere, it, ds.d, active);
     }
 
     Spectrum eval_direction(const Interaction3f &it, const DirectionSample3f &ds,
@@ -326,9 +295,7 @@ public:
         MI_MASKED_FUNCTION(ProfilerPhase::EndpointEvaluate, active);
         // Samples at the edge are perpendicular to it, up to 2e-6 with the arithmetic of GPUs.
         active &= dr::dot(ds.d, ds.n) < 1e-5f;
-        SurfaceInteraction3f si(ds, it.wavelengths);
-        UnpolarizedSpectrum radiance = m_radiance->eval(si, active);
-        return dr::select(active, depolarizer<Spectrum>(radiance), 0.f);
+        return dr::select(active, depolarizer<Spectrum>(radiance(it, ds, active)), 0.f);
     }
 
     std::pair<PositionSample3f, Float> sample_position(Float time, const Point2f &sample,
@@ -347,7 +314,7 @@ public:
 
     ScalarBoundingBox3f bbox() const override { return m_shape->bbox(); }
 
-    std::string to_string() const override {
+    [[gnu::cold]] std::string to_string() const override {
         std::ostringstream out;
         out << "SphereCap[" << std::endl
             << "  radiance = " << string::indent(m_radiance) << "," << std::endl
@@ -405,6 +372,78 @@ private:
         return m_technique.value == SPHERECAP_TECHNIQUE_SOLID_ANGLE ? 1.f : defensive();
     }
 
+    /// The radiance that this light sends back along a direction.
+    DRJIT_NOINLINE UnpolarizedSpectrum radiance(const Interaction3f &it, const DirectionSample3f &ds,
+                                                const Mask &active) const {
+        return m_radiance->eval(SurfaceInteraction3f(ds, it.wavelengths), active);
+    }
+
+    /// A sample of this light, which was chosen by whoever asks.
+    std::pair<DirectionSample3f, Spectrum> sample_itself(const Interaction3f &it, const Point2f &sample,
+                                                         Mask active) const {
+        DirectionSample3f ds = sample_of(m_sphere, it, sample, active);
+        ds.emitter = this;
+        active &= ds.pdf != 0.f;
+        return {ds, depolarizer<Spectrum>(radiance(it, ds, active) / ds.pdf) & active};
+    }
+
+    /// A sample of one light of the group, the one in this place having been asked.
+    DRJIT_NOINLINE std::pair<DirectionSample3f, Spectrum>
+    sample_group(const UInt32 &asked, const Interaction3f &it, const Point2f &sample, Mask active) const {
+        // Mitsuba has stretched the number to choose the light that it asks: what it was before is one for
+        // all.
+        const typename Lights::Part part = m_lights->part(asked, active);
+        const typename Lights::Choice choice =
+            m_lights->choose(strategy(), dr::detach(it.p), dr::detach(it.n),
+                             dr::fmadd(part.share, dr::detach(sample.x()), part.before), active);
+        active &= choice.probability > 0.f;
+        const Sphere sphere = m_lights->sphere(choice.index, active);
+        DirectionSample3f ds = sample_of(sphere, it, Point2f(choice.rest, sample.y()), active);
+        ds.pdf *= choice.probability * part.inv_share;
+        ds.emitter = m_lights->emitter(choice.index, active);
+        active &= ds.pdf != 0.f;
+        if constexpr (Lights::HasRadiance)
+            return {ds, depolarizer<Spectrum>(m_lights->radiance(choice.index, active) / ds.pdf) & active};
+        else if (dr::none_or<false>(active))
+            return {dr::zeros<DirectionSample3f>(), 0.f};
+        else
+            return {ds, (ds.emitter->eval_direction(it, ds, active) / ds.pdf) & active};
+    }
+
+    /// A direction towards a sphere, attached where it is differentiated; a pdf of zero where there is none.
+    DirectionSample3f sample_of(const Sphere &sphere, const Interaction3f &it, const Point2f &sample,
+                                const Mask &active) const {
+        DirectionSample3f ds = sample_cap(sphere, it, sample, active && !is_own(sphere, it));
+        if constexpr (dr::is_diff_v<Float>) {
+            if (dr::grad_enabled(it.p, sphere))
+                Following<Float>::attach(sphere, it.p, ds.d, ds.dist, ds.p, ds.n, ds.pdf);
+        }
+        ds.time = it.time;
+        return ds;
+    }
+
+    /// The density of a direction towards a sphere, likewise.
+    Float pdf_of(const Sphere &sphere, const Interaction3f &it, const Vector3f &direction,
+                 Mask active) const {
+        // Whatever the normal: at the light's edge, where it is perpendicular, it may face away by rounding.
+        active &= !is_own(sphere, it);
+        Float pdf = dr::select(active, pdf_cap(sphere, it, direction, active), 0.f);
+        if constexpr (dr::is_diff_v<Float>) {
+            if (dr::grad_enabled(it.p, direction, sphere))
+                pdf = Following<Float>::attached_pdf(sphere, it.p, it.n, direction, pdf, uniform());
+        }
+        return pdf;
+    }
+
+    /// The same where the group chooses its light, the one in this place.
+    DRJIT_NOINLINE Float pdf_in_group(const UInt32 &asked, const Sphere &sphere, const Interaction3f &it,
+                                      const Vector3f &direction, Mask active) const {
+        const Float pdf = pdf_of(sphere, it, direction, active);
+        active &= pdf != 0.f;
+        return pdf * m_lights->probability(strategy(), dr::detach(it.p), dr::detach(it.n), asked, active) *
+               m_lights->part(asked, active).inv_share;
+    }
+
     // The functions below are all that differs between the executions of the library's kernel.
 
     /// A direction towards the light, with the point that it meets first; a pdf of zero where there is none.
@@ -460,12 +499,13 @@ private:
     }
 
     /// The density with which `sample_cap` chooses a direction that is known to meet the sphere.
-    Float pdf_cap(const Interaction3f &it, const Vector3f &direction, Mask active) const {
+    Float pdf_cap(const Sphere &sphere, const Interaction3f &it, const Vector3f &direction,
+                  Mask active) const {
         if constexpr (dr::is_jit_v<Float>) {
             const Strategy strategy = this->strategy();
             // Likewise: few rays meet the light by chance.
-            const auto inputs = dr::make_tuple(dr::detach(it.n), dr::detach(m_sphere.center - it.p),
-                                               dr::detach(m_sphere.radius), dr::detach(direction));
+            const auto inputs = dr::make_tuple(dr::detach(it.n), dr::detach(sphere.center - it.p),
+                                               dr::detach(sphere.radius), dr::detach(direction));
             return dr::if_stmt(
                 inputs, Recorder<Float>::condition(active, dr::width(inputs)),
                 [strategy](const Normal3f &normal, const Vector3f &centre, const Float &radius,
@@ -486,11 +526,11 @@ private:
         } else {
             spherecap_density_t density;
             const spherecap_receiver_t receiver = strategy().receiver(it.n);
-            const Vector3f c = m_sphere.center - it.p;
+            const Vector3f c = sphere.center - it.p;
             const float center[3] = {c.x(), c.y(), c.z()};
             const float d[3] = {direction.x(), direction.y(), direction.z()};
             if (!active ||
-                spherecap_pdf_once(&receiver, center, m_sphere.radius, d, &density) != SPHERECAP_STATUS_OK)
+                spherecap_pdf_once(&receiver, center, sphere.radius, d, &density) != SPHERECAP_STATUS_OK)
                 return 0.f;
             return density.solid_angle;
         }
@@ -501,7 +541,7 @@ private:
     bool is_grouped() const { return m_lights && m_lights->is_complete(); }
 
     /// The first light of a scene makes the group of those that sample as it does.
-    void join(const Scene *scene) {
+    [[gnu::cold]] void join(const Scene *scene) {
         if (m_scene && m_scene != scene) {
             // It cannot know which of its scenes asks.
             leave();
@@ -525,7 +565,7 @@ private:
             members[i]->m_colleagues = members;
             members[i]->tell();
         }
-        weigh(members);
+        weigh();
     }
 
     bool samples_as(const SphereCap &other) const {
@@ -540,7 +580,7 @@ private:
     }
 
     /// Tells the group what this light is now.
-    void tell() {
+    [[gnu::cold]] void tell() {
         SurfaceInteraction3f si = dr::zeros<SurfaceInteraction3f>();
         const UnpolarizedSpectrum radiance = m_radiance->eval(si, true);
         Float strength = 0.f;
@@ -567,20 +607,12 @@ private:
         m_lights->update(m_place, m_index, m_sphere, radiance, strength * m_sampling_weight);
     }
 
-    /// Shares out Mitsuba's random number among all members, by the weights that it chooses them with.
-    static void weigh(const std::vector<SphereCap *> &members) {
-        ScalarFloat sum = 0.f, before = 0.f;
-        for (const SphereCap *member : members)
-            sum += member->m_sampling_weight;
-        for (SphereCap *member : members) {
-            // One without a weight is never asked for a sample, and no other light answers with one of its
-            // own.
-            const ScalarFloat weight = member->m_sampling_weight;
-            member->m_share = dr::opaque<Float>(weight > 0.f ? weight / sum : 0.f);
-            member->m_inv_share = dr::opaque<Float>(weight > 0.f ? sum / weight : 0.f);
-            member->m_before = dr::opaque<Float>(weight > 0.f ? before / sum : 0.f);
-            before += weight;
-        }
+    /// Tells it how often Mitsuba asks for each.
+    void weigh() {
+        std::vector<float> weights;
+        for (const SphereCap *member : m_colleagues)
+            weights.push_back(member->m_sampling_weight);
+        m_lights->weigh(weights);
     }
 
     ref<Texture> m_radiance;
@@ -600,11 +632,8 @@ private:
     size_t m_place = 0;
     /// The place, where kernels are compiled in memory
     UInt32 m_index = 0;
-    /// The part of the group's random numbers for which Mitsuba asks this light, its reciprocal, and where it
-    /// begins
-    Float m_share = 1.f, m_inv_share = 1.f, m_before = 0.f;
 
-    MI_TRAVERSE_CB(Base, m_radiance, m_sphere, m_lights, m_index, m_share, m_inv_share, m_before)
+    MI_TRAVERSE_CB(Base, m_radiance, m_sphere, m_lights, m_index)
 };
 
 MI_EXPORT_PLUGIN(SphereCap)

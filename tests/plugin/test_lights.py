@@ -378,6 +378,47 @@ def test_one_program_for_any_number(llvm_ad_rgb):
     assert operations[1] < 6000
 
 
+@pytest.mark.parametrize("symbolic", [True, False])
+def test_any_light_that_is_asked_answers_for_all(llvm_ad_rgb, symbolic):
+    """Recorded once for all in a virtual call, one after the other, or asked by itself: the answer is one.
+
+    Each light has a weight of its own, and so a part of its own of the random number. What was recorded is
+    kept no longer than the call.
+    """
+    weighed = zip(LIGHTS, (1.0, 3.0, 0.5, 2.0), strict=True)
+    lights = {f"light{i}": sphere(*light, sampling_weight=w) for i, (light, w) in enumerate(weighed)}
+    loaded = scene([], beside=lights)
+    emitters = loaded.emitters()
+    count, n = len(emitters), 64
+    u = np.random.default_rng(9).random((3, n)).astype(np.float32)
+    it = dr.zeros(mi.Interaction3f, n)
+    it.p = mi.Point3f(mi.Float(u[2] - 0.5), 0.1, 0)
+    it.n = [0, 0, 1]
+    sample = mi.Point2f(mi.Float(u[0]), mi.Float(u[1]))
+
+    def answers(asked, of):
+        ds, weight = asked.sample_direction(it, sample)
+        pdf = asked.pdf_direction(it, ds)
+        dr.eval(ds, weight, pdf)
+        return np.array([np.array(x)[of] for x in (*ds.d, ds.dist, ds.pdf, *weight, pdf)])
+
+    def of_all():
+        which = dr.arange(mi.UInt32, n) % count
+        with dr.scoped_set_flag(dr.JitFlag.SymbolicCalls, symbolic):
+            return answers(dr.gather(mi.EmitterPtr, loaded.emitters_dr(), which), slice(None))
+
+    def variables():
+        return len(dr.whos(as_string=True).splitlines())
+
+    together = of_all()
+    before = variables()
+    np.testing.assert_array_equal(of_all(), together)
+    assert variables() == before
+    for i, emitter in enumerate(emitters):
+        of = slice(i, None, count)
+        np.testing.assert_allclose(together[:, of], answers(emitter, of), rtol=1e-6, atol=1e-7)
+
+
 def test_lights_that_change(llvm_ad_rgb):
     """A light that moves, grows or changes its radiance is chosen by what it is now; nothing is compiled."""
     loaded = scene(LIGHTS)
