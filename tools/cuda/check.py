@@ -176,10 +176,15 @@ def is_own(normal, centre):
 # --- The emitter ------------------------------------------------------------------------------------------
 
 
-def light(emitter, **parameters):
-    """The unit sphere, at the origin. It has to be kept: an emitter does not keep its shape alive."""
+def sphere(emitter, **parameters):
+    """The unit sphere, at the origin."""
     radiance = {"type": "uniform", "value": 1.0}
-    return mi.load_dict({"type": "sphere", "emitter": {"type": emitter, "radiance": radiance, **parameters}})
+    return {"type": "sphere", "emitter": {"type": emitter, "radiance": radiance, **parameters}}
+
+
+def light(emitter, **parameters):
+    """The same, loaded. It has to be kept: an emitter does not keep its shape alive."""
+    return mi.load_dict(sphere(emitter, **parameters))
 
 
 def interaction(normal, centre):
@@ -311,14 +316,22 @@ def edge(stratum, count):
 
 
 def virtual_calls(count):
-    """Samples through an array of pointers to three emitters, against those of each."""
+    """Samples through an array of pointers to emitters, against those of each.
+
+    The last two belong to a scene, and choose between themselves by what each gives.
+    """
     shapes = [light("spherecap", **CONFIGURATIONS[0]), light("spherecap", **CONFIGURATIONS[1]), light("area")]
+    members = [sphere("spherecap", **CONFIGURATIONS[0], sampling_weight=weight) for weight in (1.0, 3.0)]
+    scene = mi.load_dict({"type": "scene", "a": members[0], "b": {**members[1], "center": [0, 0, 4]}})
+    emitters = [*(shape.emitter() for shape in shapes), *scene.emitters()]
+    names = ["spherecap", "spherecap, both sides", "area", "one of two", "the other"]
     normal, centre, u, _ = points("any", count, 99)
     it, sample = interaction(normal, centre), mi.Point2f(u)
-    which = np.random.default_rng(1).integers(0, 4, count)  # 3: no emitter
+    none = len(emitters)
+    which = np.random.default_rng(1).integers(0, none + 1, count)
     pointers = dr.zeros(mi.EmitterPtr, count)
-    for i, shape in enumerate(shapes):
-        pointers = dr.select(mi.UInt32(which) == i, mi.EmitterPtr(shape.emitter()), pointers)
+    for i, emitter in enumerate(emitters):
+        pointers = dr.select(mi.UInt32(which) == i, mi.EmitterPtr(emitter), pointers)
 
     def draw(emitter, active):
         ds, _ = emitter.sample_direction(it, sample, active)
@@ -326,13 +339,13 @@ def virtual_calls(count):
         dr.eval(ds, pdf)
         return np.concatenate([rows(ds.d), [rows(ds.pdf), rows(pdf)]])
 
-    found = draw(pointers, mi.Bool(which < 3))
+    found = draw(pointers, mi.Bool(which < none))
     differences = {}
-    for i, name in enumerate(["spherecap", "spherecap, both sides", "area"]):
-        expected = draw(shapes[i].emitter(), mi.Bool(which == i))[:, which == i]
+    for i, (name, emitter) in enumerate(zip(names, emitters, strict=True)):
+        expected = draw(emitter, mi.Bool(which == i))[:, which == i]
         difference = largest(found[:, which == i], expected) / np.maximum(1, np.abs(expected).max(0))
         differences[f"through pointers, {name}"] = spread(difference)
-    counts = {"not finite": ~np.isfinite(found), "sampled without an emitter": found[:, which == 3] != 0}
+    counts = {"not finite": ~np.isfinite(found), "sampled without an emitter": found[:, which == none] != 0}
     return {"counts": {name: int(x.sum()) for name, x in counts.items()}, "differences": differences}
 
 

@@ -212,6 +212,9 @@ class Function:
 
     def read(self, x, type_):
         """An operand as an expression of a type."""
+        if x.startswith("{"):
+            low, high = (self.read(half, "u32") for half in split(x.strip("{}")))
+            return f"(({type_}) ((u64) {high} << 32 | {low}))"
         if x.startswith("-%"):
             return f"-{self.read(x[1:], type_)}"
         if x.startswith("%") and x not in SPECIAL:
