@@ -111,7 +111,6 @@ public:
         Float share, inv_share, before;
     };
 
-    // Cold code is what a scene runs once: it is compiled for size.
     [[gnu::cold]] explicit Lights(const std::vector<const Emitter *> &members) : m_count(members.size()) {
         if constexpr (dr::is_jit_v<Float>) {
             m_geometry = dr::zeros<Table>(4 * m_count);
@@ -156,7 +155,7 @@ public:
     }
 
     /// Tells the weights that Mitsuba chooses the lights with.
-    void weigh(const std::vector<float> &weights) {
+    [[gnu::cold]] void weigh(const std::vector<float> &weights) {
         const std::vector<float> parts = parts_of(weights);
         if constexpr (dr::is_jit_v<Float>) {
             m_parts = dr::load<Table>(parts.data(), parts.size());

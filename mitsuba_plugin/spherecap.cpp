@@ -178,6 +178,7 @@ public:
     using Sphere = mitsuba::Sphere<Float>;
     using Lights = mitsuba::Lights<Float, Spectrum>;
 
+    // Cold is what a scene runs once, or where it changes: it is compiled for size, once for each variant.
     [[gnu::cold]] SphereCap(const Properties &props) : Base(supported(props)) {
         if (props.has_property("to_world"))
             Throw(
@@ -210,7 +211,7 @@ public:
         callback->put("radiance", m_radiance, ParamFlags::Differentiable);
     }
 
-    void parameters_changed(const std::vector<std::string> &keys) override {
+    [[gnu::cold]] void parameters_changed(const std::vector<std::string> &keys) override {
         // A sphere that was moved tells its emitter: "parent".
         if (m_shape && (keys.empty() || string::contains(keys, "parent")))
             m_sphere = Sphere::of(m_shape);
@@ -222,12 +223,12 @@ public:
         }
     }
 
-    void set_shape(Shape *shape) override {
+    [[gnu::cold]] void set_shape(Shape *shape) override {
         m_sphere = Sphere::of(shape);
         Base::set_shape(shape);
     }
 
-    void set_scene(const Scene *scene) override {
+    [[gnu::cold]] void set_scene(const Scene *scene) override {
         // An emitter that is part of several scenes must satisfy all of them.
         m_demands.look_at(scene);
         m_in_scene = true;

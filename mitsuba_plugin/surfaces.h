@@ -33,7 +33,7 @@ public:
         m_shading_normals |= shading_normals;
     }
 
-    void look_at(const Scene *scene) {
+    [[gnu::cold]] void look_at(const Scene *scene) {
         for (ref<Shape> shape : scene->shapes())
             look_at(shape.get());
         // An instance has a BSDF that is never used; the shapes that it repeats are in the groups.
@@ -111,7 +111,7 @@ private:
 
     /// Looks for a vertex normal of a mesh that is not the normal of its triangle: boxes, and most files of
     /// flat meshes, have vertex normals that change nothing.
-    void compare_normals() {
+    [[gnu::cold]] void compare_normals() {
         // 0.6 degrees, more than the rounding of normals in text files. A smaller angle changes the weight of
         // a sample by less than 0.01/cos, which is large only where the surface is dark.
         constexpr float SameNormal = 1.f - 0.5f * 0.01f * 0.01f;
