@@ -8,15 +8,22 @@ use crate::lane::{lit, Lane};
 #[inline(always)]
 pub(crate) fn polynomial<L: Lane>(x: L, coefficients: &[f64]) -> L {
     let x2 = x * x;
-    let (terms, power) = if coefficients.len() <= 5 { (2, x2) } else { (3, x2 * x) };
-    let (mut value, mut part, count) = (L::lit(0.0), L::lit(0.0), coefficients.len());
-    for (i, &c) in coefficients.iter().enumerate().rev() {
-        // First steps are no multiplications: what the optimiser may not fold, recording would keep.
-        let is_first = i % terms == terms - 1 || i + 1 == count;
-        part = if is_first { L::lit(c) } else { part.fma(x, L::lit(c)) };
-        if i % terms == 0 {
-            value = if i + terms >= count { part } else { value.fma(power, part) };
-        }
+    if coefficients.len() <= 5 {
+        by_powers::<L, 2>(x, x2, coefficients)
+    } else {
+        by_powers::<L, 3>(x, x2 * x, coefficients)
+    }
+}
+
+/// By Horner's rule in a power of x, with so many terms for each coefficient.
+#[inline(always)]
+fn by_powers<L: Lane, const TERMS: usize>(x: L, power: L, coefficients: &[f64]) -> L {
+    // The highest part may have fewer terms. Slices are cut where the compiler, which unrolls this, sees that they are long enough.
+    let (mut lower, highest) = coefficients.split_at((coefficients.len() - 1) / TERMS * TERMS);
+    let mut value = horner(x, highest);
+    while let Some((rest, part)) = lower.split_last_chunk::<TERMS>() {
+        value = value.fma(power, horner(x, part));
+        lower = rest;
     }
     value
 }

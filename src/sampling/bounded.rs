@@ -97,6 +97,7 @@ pub(super) fn relative_density<L: Lane>(cap: &Cap<L>, offset: Offset<L>) -> L {
     let c = &cap.crescent;
     let Warp { d_x, w_x, width, .. } = unwarp(cap, offset);
     let stretch = c.t_y / cap.rise;
+    // The crescent is where the centre is not.
     let area = L::select(L::lit(0.0).lt(cap.elevation_sin), cap.projected_below, cap.projected_above);
     let areas = area / (c.t_y_cubed() * shape(c.t_x));
     stretch * stretch * areas * w_x / (d_x * width)
