@@ -28,11 +28,12 @@ fn by_powers<L: Lane, const TERMS: usize>(x: L, power: L, coefficients: &[f64]) 
     value
 }
 
-/// The same by Horner's rule, for the short ones.
+/// The same by Horner's rule in x, for the short ones.
 #[inline(always)]
 fn horner<L: Lane>(x: L, coefficients: &[f64]) -> L {
     let mut value = L::lit(0.0);
     for (i, &c) in coefficients.iter().rev().enumerate() {
+        // The first step is no multiplication: what the optimiser may not fold, recording would keep.
         value = if i == 0 { L::lit(c) } else { value.fma(x, L::lit(c)) };
     }
     value

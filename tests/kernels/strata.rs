@@ -144,6 +144,7 @@ fn check(scene: &Scene, technique: Technique, u: [f32; 2]) -> Result<(), TestCas
     // Where a cap nearly touches the horizon, its end is at a height that f32 does not know to epsilon.
     let raised =
         [height_unit(), -height_unit()].map(|h| exact.invert(Offset { cosine: offset.cosine + h, ..offset }));
+    // By more than a half axis, which is half of all there is: then nothing is known.
     let is_open = technique != Technique::SolidAngle && open_along_the_ellipse(exact.cap(), offset) > 1.0;
     for i in 0..2 {
         let farthest = |all: &[[f64; 2]]| all.iter().fold(0.0_f64, |most, v| most.max((v[i] - at[i]).abs()));

@@ -414,6 +414,7 @@ def test_any_light_that_is_asked_answers_for_all(llvm_ad_rgb, symbolic):
     before = variables()
     np.testing.assert_array_equal(of_all(), together)
     assert variables() == before
+    # Other programs, with other numbers known when they are compiled, may round otherwise around the kernel.
     for i, emitter in enumerate(emitters):
         of = slice(i, None, count)
         np.testing.assert_allclose(together[:, of], answers(emitter, of), rtol=1e-6, atol=1e-7)
